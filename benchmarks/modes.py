@@ -1,0 +1,140 @@
+#!/usr/bin/python3
+"""20 modes of clamped beams by ritz-reduce on 1 and 2 ranks, beside CalculiX on the same mesh in the same run.
+
+    /usr/bin/python3 benchmarks/modes.py --bin build/default/bin [--sizes 30000,100000] [--cells tet10,tet4] [--csv F]
+
+Whole programs against whole programs: seconds on the wall, peak memory over all processes, and the ratio to ccx (one
+thread). Frequencies are compared as well: a fast wrong answer is no answer. CalculiX integrates its mass with fewer
+points, so they agree to a few 1e-3 only.
+"""
+import argparse
+import csv
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+import h5py
+import numpy as np
+
+MATERIAL = dict(young=1e9, poisson=0.3, density=1000.0)
+MODES = 20
+ENVIRONMENT = dict(os.environ, OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1",
+                   OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_btl_vader_single_copy_mechanism="none",
+                   OMPI_MCA_rmaps_base_oversubscribe="1")
+
+
+def grid(cells, unknowns):
+    """A 4:1:1 beam of nearly so many degrees of freedom."""
+    steps = 2 if cells == "tet10" else 1
+    n = 1
+    while 3 * (4 * steps * (n + 1) + 1) * (steps * (n + 1) + 1) ** 2 <= unknowns:
+        n += 1
+    return f"box:4,1,1/{4 * n},{n},{n}/{cells}"
+
+
+def timed(command, folder, limit):
+    """Seconds on the wall, or None when it took longer than `limit`; its output."""
+    start = time.perf_counter()
+    try:
+        done = subprocess.run(command, cwd=folder, env=ENVIRONMENT, capture_output=True, text=True, timeout=limit)
+    except subprocess.TimeoutExpired:
+        return None, ""
+    if done.returncode != 0:
+        sys.exit(f"{' '.join(map(str, command))} failed:\n{done.stdout}{done.stderr}")
+    return time.perf_counter() - start, done.stdout + done.stderr
+
+
+def reduce(binary, mesh, ranks, folder):
+    command = ["mpirun", "-n", str(ranks), binary, "-mesh", mesh, "-fix", "xmin", "-modes", str(MODES),
+               "-output", "model.h5"] + [w for k, v in MATERIAL.items() for w in (f"-material_{k}", str(v))]
+    seconds, text = timed(command, folder, None)
+    stages = {m[0]: float(m[1]) for m in re.findall(r"^[-\d]+ [:\d]+  (\w+) +([\d.]+) s$", text, re.M)}
+    memory = float(re.search(r"peak memory ([\d.]+) GB", text)[1])
+    with open(folder / "frequencies.csv") as rows:
+        frequencies = [float(row["frequency_hz"]) for row in csv.DictReader(rows)]
+    return dict(seconds=seconds, memory=memory, stages=stages, frequencies=frequencies)
+
+
+def write_inp(folder):
+    """The mesh that ritz-reduce has just written, as CalculiX reads it."""
+    with h5py.File(folder / "model.h5") as model:
+        points = model["VTKHDF/Points"][:]
+        size = int(model["VTKHDF/Offsets"][1])
+        cells = model["VTKHDF/Connectivity"][:].reshape(-1, size) + 1
+    kind = {4: "C3D4", 8: "C3D8", 10: "C3D10"}[size]
+    with open(folder / "beam.inp", "w") as out:
+        out.write("*NODE\n")
+        np.savetxt(out, np.c_[np.arange(1, len(points) + 1), points], fmt="%d,%.16g,%.16g,%.16g")
+        out.write(f"*ELEMENT,TYPE={kind},ELSET=body\n")
+        np.savetxt(out, np.c_[np.arange(1, len(cells) + 1), cells], fmt="%d", delimiter=",")
+        out.write("*NSET,NSET=fixed\n")
+        np.savetxt(out, np.flatnonzero(points[:, 0] == 0) + 1, fmt="%d,")
+        out.write(f"*MATERIAL,NAME=m\n*ELASTIC\n{MATERIAL['young']},{MATERIAL['poisson']}\n*DENSITY\n"
+                  f"{MATERIAL['density']}\n*SOLID SECTION,ELSET=body,MATERIAL=m\n*BOUNDARY\nfixed,1,3\n"
+                  f"*STEP\n*FREQUENCY\n{MODES}\n*END STEP\n")
+
+
+def calculix(folder, limit):
+    ccx = shutil.which("ccx")
+    if not ccx:
+        return None
+    write_inp(folder)
+    seconds, _ = timed([sys.executable, "-c", CHILD, ccx, "beam"], folder, limit)
+    if seconds is None:
+        return None
+    memory = float((folder / "memory").read_text()) * 1024 / 1e9
+    table = re.findall(r"^ +\d+ +\S+ +\S+ +(\S+) +0\.0000000E\+00$", (folder / "beam.dat").read_text(), re.M)
+    return dict(seconds=seconds, memory=memory, frequencies=[float(f) for f in table])
+
+
+# Runs ccx and leaves its own peak memory (kB) in a file.
+CHILD = ("import resource,subprocess,sys;subprocess.run([sys.argv[1],'-i',sys.argv[2]],check=True,"
+         "stdout=subprocess.DEVNULL);open('memory','w').write(str(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss))")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--bin", default="build/default/bin", type=pathlib.Path)
+    parser.add_argument("--sizes", default="30000,100000,300000")
+    parser.add_argument("--cells", default="tet10,tet4")
+    parser.add_argument("--limit", default=600, type=float, help="seconds that ccx may take")
+    parser.add_argument("--csv", type=pathlib.Path)
+    args = parser.parse_args()
+    binary = (args.bin / "ritz-reduce").resolve()
+    rows = []
+    print(f"{'mesh':34} {'program':10} {'seconds':>8} {'GB':>6} {'ccx/this':>9} {'memory/ccx':>10} {'assembly s':>10}")
+    for cells in args.cells.split(","):
+        for size in map(int, args.sizes.split(",")):
+            mesh = grid(cells, size)
+            with tempfile.TemporaryDirectory() as name:
+                folder = pathlib.Path(name)
+                runs = {f"{n} rank{'s' * (n > 1)}": reduce(binary, mesh, n, folder) for n in (1, 2)}
+                peer = calculix(folder, args.limit)
+            for program, run in {**runs, **({"ccx": peer} if peer else {})}.items():
+                speed = peer["seconds"] / run["seconds"] if peer else float("nan")
+                memory = run["memory"] / peer["memory"] if peer else float("nan")
+                assembly = run.get("stages", {}).get("assemble", float("nan"))
+                print(f"{mesh:34} {program:10} {run['seconds']:8.1f} {run['memory']:6.2f} {speed:9.2f} {memory:10.2f} "
+                      f"{assembly:10.2f}", flush=True)
+                rows.append(dict(mesh=mesh, program=program, seconds=run["seconds"], gigabytes=run["memory"],
+                                 speed_over_ccx=speed, memory_over_ccx=memory, assembly_seconds=assembly))
+            if peer:
+                n = min(len(peer["frequencies"]), MODES)
+                ours, theirs = (np.array(f[:n]) for f in (runs["1 rank"]["frequencies"], peer["frequencies"]))
+                print(f"{'':34} frequencies differ by at most {np.max(np.abs(ours / theirs - 1)):.1e}")
+            print(f"{'':34} assembly on 2 ranks: "
+                  f"{runs['1 rank']['stages']['assemble'] / runs['2 ranks']['stages']['assemble']:.2f} times as fast")
+    if args.csv:
+        with open(args.csv, "w", newline="") as out:
+            table = csv.DictWriter(out, rows[0].keys())
+            table.writeheader()
+            table.writerows(rows)
+
+
+if __name__ == "__main__":
+    main()

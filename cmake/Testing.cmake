@@ -1,0 +1,51 @@
+# ritz_add_test(NAME SOURCES a.cpp ... LINKS layers... [RANKS 1 2 3] [TIMEOUT s])
+# A GoogleTest executable test_NAME. With RANKS it is run under mpirun once for each number of ranks, with a main that
+# starts PETSc and fails on every rank when one rank fails; without, it is a serial program.
+find_package(GTest REQUIRED)
+include(CTest)
+set(RITZ_MPI_ENVIRONMENT
+  OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_hwloc_base_binding_policy=none
+  OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1 OMPI_MCA_btl_vader_single_copy_mechanism=none
+  OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1
+  LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/support/lsan.supp:print_suppressions=0)
+
+function(ritz_add_test name)
+  cmake_parse_arguments(T "" "TIMEOUT" "SOURCES;LINKS;RANKS" ${ARGN})
+  if(NOT T_TIMEOUT)
+    set(T_TIMEOUT 300)
+  endif()
+  set(target test_${name})
+  add_executable(${target} ${T_SOURCES})
+  list(TRANSFORM T_LINKS PREPEND ritz_)
+  target_link_libraries(${target} PRIVATE ${T_LINKS} ritz_settings GTest::gtest GTest::gmock)
+  target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/tests")
+  target_compile_definitions(${target} PRIVATE RITZ_SHARED="${PROJECT_SOURCE_DIR}/../shared"
+    RITZ_SOURCE="${PROJECT_SOURCE_DIR}" RITZ_BIN="$<TARGET_FILE_DIR:${target}>")
+  if(T_RANKS)
+    target_sources(${target} PRIVATE "${PROJECT_SOURCE_DIR}/tests/support/mpi_main.cpp")
+    target_link_libraries(${target} PRIVATE ritz_petsc)
+    foreach(ranks IN LISTS T_RANKS)
+      add_test(NAME ${name}.${ranks} COMMAND ${MPIEXEC} -n ${ranks} $<TARGET_FILE:${target}>)
+      set_tests_properties(${name}.${ranks} PROPERTIES PROCESSORS ${ranks} TIMEOUT ${T_TIMEOUT}
+        SKIP_RETURN_CODE 77 ENVIRONMENT "${RITZ_MPI_ENVIRONMENT}")
+    endforeach()
+  else()
+    target_link_libraries(${target} PRIVATE GTest::gtest_main)
+    add_test(NAME ${name} COMMAND ${target})
+    set_tests_properties(${name} PROPERTIES TIMEOUT ${T_TIMEOUT} ENVIRONMENT "${RITZ_MPI_ENVIRONMENT}")
+  endif()
+endfunction()
+
+# ritz_add_script_test(NAME SCRIPT [ARGS ...] [TIMEOUT s]): a Python script; exit code 77 says "skipped".
+function(ritz_add_script_test name script)
+  cmake_parse_arguments(T "" "TIMEOUT;PROCESSORS" "ARGS" ${ARGN})
+  if(NOT T_TIMEOUT)
+    set(T_TIMEOUT 300)
+  endif()
+  if(NOT T_PROCESSORS)
+    set(T_PROCESSORS 1)
+  endif()
+  add_test(NAME ${name} COMMAND /usr/bin/python3 "${script}" ${T_ARGS})
+  set_tests_properties(${name} PROPERTIES TIMEOUT ${T_TIMEOUT} PROCESSORS ${T_PROCESSORS} SKIP_RETURN_CODE 77
+    ENVIRONMENT "${RITZ_MPI_ENVIRONMENT};RITZ_SHARED=${PROJECT_SOURCE_DIR}/../shared;RITZ_BIN=${PROJECT_BINARY_DIR}/bin")
+endfunction()

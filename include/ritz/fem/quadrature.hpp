@@ -1,0 +1,108 @@
+// Quadrature rules as constants: ∫ f ≈ Σ weight f(xi).
+//
+// Reference domains: the tetrahedron and the triangle with corners 0 and the unit vectors (volume 1/6, area 1/2);
+// the cube [-1, 1]³ (8) and the square [-1, 1]² (4). Every point is inside, every weight is positive.
+#pragma once
+#include <array>
+#include <cstddef>
+
+#include "ritz/fem/types.hpp"
+
+namespace ritz::fem {
+
+template <int d>
+struct Sample {
+  Point<d> xi;
+  double weight;
+};
+
+template <int d, std::size_t n>
+using Rule = std::array<Sample<d>, n>;
+
+namespace quadrature {
+
+/// Gauss-Legendre on [-1, 1], degrees 3 and 5.
+inline constexpr Rule<1, 2> gauss_2 = {{{{-0.57735026918962576451}, 1}, {{0.57735026918962576451}, 1}}};
+inline constexpr Rule<1, 3> gauss_3 = {
+    {{{-0.77459666924148337704}, 5. / 9}, {{0}, 8. / 9}, {{0.77459666924148337704}, 5. / 9}}};
+
+/// Gauss-Jacobi on [0, 1] with the weight function (1-t)^a, a = 0, 1, 2; degree 7 beside it.
+inline constexpr std::array<Rule<1, 4>, 3> gauss_jacobi_4 = {{{{{{0.06943184420297371239}, 0.17392742256872692869},
+                                                                {{0.33000947820757186760}, 0.32607257743127307131},
+                                                                {{0.66999052179242813240}, 0.32607257743127307131},
+                                                                {{0.93056815579702628761}, 0.17392742256872692869}}},
+                                                              {{{{0.05710419611451768219}, 0.13550691343148811621},
+                                                                {{0.27684301363812382768}, 0.20346456801027136079},
+                                                                {{0.58359043236891682006}, 0.12984754760823244083},
+                                                                {{0.86024013565621944785}, 0.03118097095000808217}}},
+                                                              {{{{0.04850054944699732930}, 0.11088841561127798368},
+                                                                {{0.23860073755186230506}, 0.14345878979921420905},
+                                                                {{0.51704729510436750234}, 0.06863388717292307532},
+                                                                {{0.79585141789677286330}, 0.01035224074991806528}}}}};
+
+template <std::size_t n>
+constexpr Rule<2, n * n> square(const Rule<1, n>& line) {
+  Rule<2, n* n> rule = {};
+  std::size_t k = 0;
+  for (const auto& y : line)
+    for (const auto& x : line) rule[k++] = {{x.xi[0], y.xi[0]}, x.weight * y.weight};
+  return rule;
+}
+
+template <std::size_t n>
+constexpr Rule<3, n * n * n> cube(const Rule<1, n>& line) {
+  Rule<3, n* n* n> rule = {};
+  std::size_t k = 0;
+  for (const auto& z : line)
+    for (const auto& [xy, weight] : square(line)) rule[k++] = {{xy[0], xy[1], z.xi[0]}, weight * z.weight};
+  return rule;
+}
+
+/// The conical product [Stroud 1971]: the cube [0, 1]³ collapsed onto the tetrahedron, degree 7.
+constexpr Rule<3, 64> conical_tetrahedron() {
+  Rule<3, 64> rule = {};
+  std::size_t k = 0;
+  for (const auto& [c, wc] : gauss_jacobi_4[2])
+    for (const auto& [b, wb] : gauss_jacobi_4[1])
+      for (const auto& [a, wa] : gauss_jacobi_4[0])
+        rule[k++] = {{a[0] * (1 - b[0]) * (1 - c[0]), b[0] * (1 - c[0]), c[0]}, wa * wb * wc};
+  return rule;
+}
+
+/// Degree 6 [Dunavant 1985], symmetric.
+constexpr Rule<2, 12> symmetric_triangle() {
+  constexpr double a = 0.24928674517091042129, wa = 0.05839313786318968301;
+  constexpr double b = 0.06308901449150222834, wb = 0.02542245318510340846;
+  constexpr double c = 0.05314504984481694735, d = 0.31035245103378440542, e = 1 - c - d;
+  constexpr double wc = 0.04142553780918678760;
+  return {{{{a, a}, wa},
+           {{a, 1 - 2 * a}, wa},
+           {{1 - 2 * a, a}, wa},  //
+           {{b, b}, wb},
+           {{b, 1 - 2 * b}, wb},
+           {{1 - 2 * b, b}, wb},  //
+           {{c, d}, wc},
+           {{c, e}, wc},
+           {{d, c}, wc},
+           {{d, e}, wc},
+           {{e, c}, wc},
+           {{e, d}, wc}}};
+}
+
+/// Degree 2: (5 - √5)/20 and (5 + 3√5)/20 in barycentric coordinates.
+constexpr Rule<3, 4> keast_tetrahedron() {
+  constexpr double a = 0.13819660112501051518, b = 0.58541019662496845446;
+  return {{{{a, a, a}, 1. / 24}, {{b, a, a}, 1. / 24}, {{a, b, a}, 1. / 24}, {{a, a, b}, 1. / 24}}};
+}
+
+inline constexpr Rule<3, 1> tetrahedron_1 = {{{{0.25, 0.25, 0.25}, 1. / 6}}};  ///< degree 1
+inline constexpr Rule<3, 4> tetrahedron_4 = keast_tetrahedron();               ///< degree 2
+inline constexpr Rule<3, 64> tetrahedron_64 = conical_tetrahedron();           ///< degree 7
+inline constexpr Rule<3, 8> cube_8 = cube(gauss_2);                            ///< degree 3 in each coordinate
+inline constexpr Rule<3, 27> cube_27 = cube(gauss_3);                          ///< degree 5 in each coordinate
+inline constexpr Rule<2, 1> triangle_1 = {{{{1. / 3, 1. / 3}, 1. / 2}}};       ///< degree 1
+inline constexpr Rule<2, 12> triangle_12 = symmetric_triangle();               ///< degree 6
+inline constexpr Rule<2, 9> square_9 = square(gauss_3);                        ///< degree 5 in each coordinate
+
+}  // namespace quadrature
+}  // namespace ritz::fem

@@ -1,0 +1,18 @@
+// The words that stand for enumerators in files.
+#pragma once
+#include <string_view>
+
+#include "ritz/model/model.hpp"
+
+namespace ritz::format {
+
+std::string_view name(model::Rows rows);            ///< all, surface
+std::string_view name(model::ModeKind kind);        ///< rigid, flexible
+std::string_view name(model::Certified certified);  ///< no, probabilistic, inertia-f32, inertia
+
+/// The enumerator called `text`; false when there is none.
+bool parse(std::string_view text, model::Rows& rows);
+bool parse(std::string_view text, model::ModeKind& kind);
+bool parse(std::string_view text, model::Certified& certified);
+
+}  // namespace ritz::format

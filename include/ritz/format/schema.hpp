@@ -1,0 +1,107 @@
+// The one place that names every group, dataset and attribute of the model file. Shapes, units and meanings are in
+// src/format/README.md.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace ritz::format::schema {
+
+inline constexpr std::string_view format_name = "ritz-model";
+inline constexpr int major = 1;  ///< raised when an older reader would misread the file
+inline constexpr int minor = 0;  ///< raised when something is added that an older reader may ignore
+
+// Attributes of the root.
+inline constexpr auto format = "format";
+inline constexpr auto version = "version";
+
+// Attributes of every dataset.
+inline constexpr auto units = "units";
+inline constexpr auto checksum = "checksum";
+
+// Groups.
+inline constexpr std::string_view provenance = "/provenance";
+inline constexpr std::string_view bodies = "/bodies";
+inline constexpr std::string_view report = "/report";
+inline constexpr std::string_view vtkhdf = "/VTKHDF";
+inline constexpr std::string_view geometry = "geometry";
+inline constexpr std::string_view basis = "basis";
+inline constexpr std::string_view modes = "modes";
+inline constexpr std::string_view inertia = "inertia";
+inline constexpr std::string_view loads = "loads";
+inline constexpr std::string_view default_body = "body";
+
+// provenance
+inline constexpr auto program = "program";
+inline constexpr auto versions = "versions";
+inline constexpr auto options = "options";
+inline constexpr auto mesh_checksum = "mesh_checksum";
+inline constexpr auto problem_checksum = "problem_checksum";
+inline constexpr auto ranks = "ranks";
+
+// geometry
+inline constexpr auto rows = "rows";
+inline constexpr auto full_vertices = "full_vertices";
+inline constexpr auto points = "points";
+inline constexpr auto vertex_ids = "vertex_ids";
+inline constexpr auto cell_types = "cells/types";
+inline constexpr auto cell_offsets = "cells/offsets";
+inline constexpr auto cell_vertices = "cells/vertices";
+inline constexpr auto sets = "sets";
+inline constexpr auto set_rows = "rows";
+inline constexpr auto full_count = "full_count";
+inline constexpr auto materials = "materials";
+inline constexpr auto regions = "regions";
+inline constexpr auto young = "young";
+inline constexpr auto poisson = "poisson";
+inline constexpr auto density = "density";
+
+// basis
+inline constexpr auto column_count = "column_count";
+inline constexpr auto columns = "columns";
+inline constexpr auto U = "U";
+
+// modes
+inline constexpr auto eigenvalues = "eigenvalues";
+inline constexpr auto energies = "energies";
+inline constexpr auto residuals = "residuals";
+inline constexpr auto floor_applies = "floor_applies";
+inline constexpr auto kinds = "kinds";
+inline constexpr auto orthonormality = "orthonormality";
+inline constexpr auto certificate = "certificate";
+inline constexpr auto certified = "certified";
+inline constexpr auto shift = "shift";
+inline constexpr auto counted = "counted";
+inline constexpr auto found = "found";
+
+// inertia
+inline constexpr auto origin = "origin";
+inline constexpr auto gram = "gram";
+
+// loads
+inline constexpr auto set_vertices = "vertices";
+inline constexpr auto total = "total";
+inline constexpr auto area = "area";
+inline constexpr auto pressure = "pressure";
+inline constexpr auto traction = "traction";
+
+// report
+inline constexpr auto stages = "stages";
+inline constexpr auto seconds = "seconds";
+inline constexpr auto figure_names = "figure_names";
+inline constexpr auto figure_values = "figure_values";
+inline constexpr auto notes = "notes";
+
+/// "parent/child".
+std::string join(std::string_view parent, std::string_view child);
+/// "/bodies/BODY/PART", with BODY as a link name.
+std::string body_part(std::string_view body, std::string_view part);
+/// A name as a link: '/' and '%' become %2F and %25, a leading '.' %2E; the empty name is "%".
+std::string link_name(std::string_view name);
+/// The inverse of link_name.
+std::string name_of_link(std::string_view link);
+/// "0001" for column 0, "0002" for column 1, ...
+std::string column_name(std::int64_t column);
+
+}  // namespace ritz::format::schema

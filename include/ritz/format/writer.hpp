@@ -1,0 +1,54 @@
+// A model file being written. Parts are written by the functions of parts.hpp.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+
+#include "ritz/format/handle.hpp"
+
+namespace ritz::format {
+
+/// How the ranks of a parallel program write one file together; as it stands, one serial program.
+/// The property lists stay the caller's and must outlive the writer.
+struct Access {
+  hid_t file = H5P_DEFAULT;      ///< file access (H5Pset_fapl_mpio)
+  hid_t transfer = H5P_DEFAULT;  ///< dataset transfer (H5Pset_dxpl_mpio)
+  bool writes_small = true;      ///< true on exactly one rank: it writes what is replicated, and names the file
+  /// *Collective*: the sum of all ranks' values modulo 2^64, the same on every rank. Absent: one rank.
+  std::function<std::uint64_t(std::uint64_t)> sum;
+};
+
+/// Writes FILE.part and renames it to FILE on commit: there is never half a model under the final name.
+/// Every member and every write_* function is *Collective*: all ranks call it in the same order. A failure on one rank
+/// is thrown on all.
+class ModelWriter {
+ public:
+  /// Creates PATH.part. Throws InputError when it cannot be created (no such folder, no permission).
+  explicit ModelWriter(std::filesystem::path path, Access access = {});
+  /// Removes PATH.part unless the model was committed.
+  ~ModelWriter();
+  ModelWriter(const ModelWriter&) = delete;
+  ModelWriter& operator=(const ModelWriter&) = delete;
+
+  /// Flushes, closes, syncs to the disk, renames, and makes the link PATH with the ending .vtkhdf beside it (where the
+  /// file system can, and never in the place of a real file). Throws std::runtime_error when a write fails. Nothing
+  /// can be written afterwards.
+  void commit();
+
+  hid_t file() const { return file_.get(); }
+  const Access& access() const { return access_; }
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  struct Uncreated {};
+  /// Once this is done, the destructor runs whatever the public constructor throws.
+  ModelWriter(Uncreated, std::filesystem::path path, Access access);
+  void reserve_on_disk(std::uint64_t bytes) const;
+
+  std::filesystem::path path_;
+  std::filesystem::path part_;  ///< empty before it is created and after it is committed
+  Access access_;
+  File file_;
+};
+
+}  // namespace ritz::format

@@ -1,0 +1,74 @@
+#include "ritz/app/frequencies.hpp"
+
+#include <cmath>
+#include <cstdarg>
+#include <numbers>
+
+namespace ritz::app {
+namespace {
+
+constexpr Eigen::Index most_rows = 30;  ///< of the printed table
+
+std::string formatted(const char* format, ...) __attribute__((format(printf, 1, 2)));
+
+std::string formatted(const char* format, ...) {
+  char text[256];
+  va_list arguments;
+  va_start(arguments, format);
+  std::vsnprintf(text, sizeof text, format, arguments);
+  va_end(arguments);
+  return text;
+}
+
+double frequency(double eigenvalue) { return std::sqrt(std::max(0.0, eigenvalue)) / (2 * std::numbers::pi); }
+
+const char* word(model::ModeKind kind) { return kind == model::ModeKind::rigid ? "rigid" : "flexible"; }
+
+const char* word(model::Certified certified) {
+  switch (certified) {
+    case model::Certified::no: return "no";
+    case model::Certified::probabilistic: return "probabilistic";
+    case model::Certified::inertia_f32: return "inertia-f32";
+    case model::Certified::inertia: break;
+  }
+  return "inertia";
+}
+
+}  // namespace
+
+std::string frequencies_csv(const model::Modes& modes) {
+  std::string text = "index,kind,frequency_hz,eigenvalue,residual,certified\n";
+  for (Eigen::Index i = 0; i < modes.eigenvalues.size(); ++i)
+    text += formatted("%td,%s,%.15g,%.15g,%.15g,%s\n", i + 1, word(modes.kinds[static_cast<std::size_t>(i)]),
+                      frequency(modes.eigenvalues[i]), modes.eigenvalues[i], modes.residuals[i],
+                      word(modes.certificate.kind));
+  return text;
+}
+
+std::string summary(const model::Modes& modes, const model::Inertia& inertia) {
+  const Eigen::Vector3d centre = inertia.centre_of_mass();
+  const Eigen::Matrix3d tensor = inertia.tensor();
+  const Eigen::MatrixXd masses = inertia.effective_masses();
+  const double mass = inertia.mass();
+  std::string text = formatted("mass %.6g kg, centre of mass (%.6g, %.6g, %.6g) m\n", mass, centre.x(), centre.y(), centre.z());
+  text += formatted("inertia about it (xx yy zz xy yz zx): %.5g %.5g %.5g %.5g %.5g %.5g kg m2\n", tensor(0, 0),
+                    tensor(1, 1), tensor(2, 2), tensor(0, 1), tensor(1, 2), tensor(2, 0));
+  text += "  mode  kind       frequency Hz    residual   effective mass x      y      z\n";
+  const auto shown = std::min(most_rows, modes.eigenvalues.size());
+  for (Eigen::Index i = 0; i < shown; ++i)
+    text += formatted("%6td  %-8s %14.7g  %10.2e          %6.2f %% %6.2f %6.2f\n", i + 1,
+                      word(modes.kinds[static_cast<std::size_t>(i)]), frequency(modes.eigenvalues[i]),
+                      modes.residuals[i], 100 * masses(i, 0) / mass, 100 * masses(i, 1) / mass, 100 * masses(i, 2) / mass);
+  if (shown < modes.eigenvalues.size()) text += formatted("  ... %td more in frequencies.csv\n", modes.eigenvalues.size() - shown);
+  text += formatted("   all                                          %6.2f %% %6.2f %6.2f\n", 100 * masses.col(0).sum() / mass,
+                    100 * masses.col(1).sum() / mass, 100 * masses.col(2).sum() / mass);
+  const auto& c = modes.certificate;
+  if (c.kind == model::Certified::inertia)
+    text += formatted("certified: %lld eigenvalues lie below (%.6g Hz)^2 by the inertia of K - sigma M, %lld were found\n",
+                      static_cast<long long>(c.counted), frequency(c.shift), static_cast<long long>(c.found));
+  else if (modes.eigenvalues.size() > 0)
+    text += "not certified: without a factorization nothing counts the modes; -solver direct does\n";
+  return text;
+}
+
+}  // namespace ritz::app

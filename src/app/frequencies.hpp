@@ -1,0 +1,15 @@
+// The modes as a table: frequencies.csv and what is printed.
+#pragma once
+#include <string>
+
+#include "ritz/model/model.hpp"
+
+namespace ritz::app {
+
+/// "index,kind,frequency_hz,eigenvalue,residual,certified", a row a mode, 15 digits.
+std::string frequencies_csv(const model::Modes& modes);
+
+/// The first modes, the certificate, and the masses that move with them, for people.
+std::string summary(const model::Modes& modes, const model::Inertia& inertia);
+
+}  // namespace ritz::app

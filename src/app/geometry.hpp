@@ -1,0 +1,26 @@
+// The mesh in file order: what the model file stores of it.
+#pragma once
+#include <vector>
+
+#include "ritz/config/config.hpp"
+#include "ritz/format/parts.hpp"
+#include "ritz/mesh/mesh.hpp"
+#include "ritz/model/model.hpp"
+#include "ritz/parallel/redistribute.hpp"
+
+namespace ritz::app {
+
+/// This rank's slice of the stored geometry, and where rows of the mesh go.
+struct FileOrder {
+  model::Geometry geometry;
+  format::GeometrySlices slices;
+  std::vector<std::int64_t> row_of_owned;  ///< stored row of each owned vertex, or -1 where it is not stored
+
+  /// Values of owned vertices (`width` a vertex) as this rank's slice of stored rows. *Collective*.
+  parallel::RowMatrix to_file(MPI_Comm comm, const parallel::RowMatrix& owned) const;
+};
+
+/// All vertices and solid cells, or the surface's vertices and faces. *Collective*.
+FileOrder file_order(const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials, config::StoredRows rows);
+
+}  // namespace ritz::app

@@ -1,0 +1,59 @@
+#include "ritz/app/pipeline.hpp"
+
+#include "ritz/app/earlier.hpp"
+#include "ritz/app/export.hpp"
+#include "ritz/app/frequencies.hpp"
+#include "ritz/app/geometry.hpp"
+#include "ritz/app/plan.hpp"
+#include "ritz/app/progress.hpp"
+#include "ritz/app/resources.hpp"
+#include "ritz/app/warnings.hpp"
+#include "ritz/app/write_model.hpp"
+#include "ritz/parallel/guard.hpp"
+#include "ritz/stages/inertia.hpp"
+#include "ritz/stages/set_loads.hpp"
+
+namespace ritz::app {
+namespace {
+
+std::string size_line(const mesh::Mesh& mesh, const mesh::Dofs& dofs) {
+  return std::to_string(mesh.vertices_total) + " vertices, " + std::to_string(mesh.cells_total) + " cells, " +
+         std::to_string(dofs.total) + " degrees of freedom, " + std::to_string(mesh.sets.size()) + " named sets";
+}
+
+}  // namespace
+
+void reduce(MPI_Comm comm, const config::Config& config) {
+  Progress progress(comm, config.voice);
+  if (config.goal == config::Goal::model) refuse_unwritable(comm, config.output);
+  const auto mesh = progress.stage("mesh", [&] { return mesh::read(comm, config.source); });
+  const auto dofs = mesh::number(mesh, config.supports, config.file_supports);
+  const auto materials = config::region_materials(config, mesh.regions);
+  progress.line(size_line(mesh, dofs));
+  for (const auto& text : warnings(mesh, materials)) progress.warn(text);
+
+  const auto full = progress.stage("assemble", [&] { return stages::assemble(mesh, dofs, materials); });
+  const auto options = choose_strategy(config, dofs);
+  if (config.goal == config::Goal::plan) return print_plan(config, mesh, dofs, full, options, progress);
+
+  const auto earlier = modes_to_reuse(config, mesh, dofs, materials, progress);
+  const auto modes = progress.stage("modes", [&] {
+    return stages::linear_modes(mesh, dofs, full, options, earlier,
+                                [&](const std::string& what, double fraction) { progress.update(what, fraction); });
+  });
+  for (const auto& text : modes.notes) progress.warn(text);
+
+  const auto u = mesh::to_vertices(mesh, dofs, modes.vectors);
+  const auto inertia = progress.stage("inertia", [&] { return stages::inertia(mesh, full.scalar_mass, u); });
+  const auto loads = progress.stage("loads", [&] { return stages::set_loads(mesh, u); });
+  if (config.exported != config::Export::nothing)
+    progress.stage("export", [&] { export_matrices(config, mesh, dofs, full, modes.vectors); });
+
+  progress.stage("write", [&] {
+    const auto order = file_order(mesh, materials, config.rows);
+    write_model(config, mesh, dofs, materials, order, u, modes, inertia, loads, progress);
+  });
+  progress.line(summary(modes.modes, inertia) + peak_memory_line(comm) + "\nwrote " + config.output.string());
+}
+
+}  // namespace ritz::app

@@ -1,0 +1,90 @@
+#include "ritz/app/progress.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <exception>
+
+#include "ritz/parallel/comm.hpp"
+
+namespace ritz::app {
+namespace {
+
+constexpr const char* erase_line = "\r\033[K";
+
+std::string date() {
+  const std::time_t now = std::time(nullptr);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%d %H:%M:%S", std::localtime(&now));
+  return text;
+}
+
+bool is_terminal(const char* path) {
+  const int file = open(path, O_WRONLY | O_NOCTTY);
+  const bool terminal = file >= 0 && isatty(file);
+  if (file >= 0) close(file);
+  return terminal;
+}
+
+/// mpirun gives every rank a terminal of its own, so what counts under it is where mpirun itself writes to.
+bool writes_to_terminal() {
+  if (!isatty(STDOUT_FILENO)) return false;
+  if (!std::getenv("OMPI_COMM_WORLD_SIZE")) return true;
+  return is_terminal(("/proc/" + std::to_string(getppid()) + "/fd/1").c_str());
+}
+
+double since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace
+
+Progress::Progress(MPI_Comm comm, config::Voice voice)
+    : comm_(comm), terminal_(writes_to_terminal()), root_(parallel::rank(comm) == 0) {
+  speaks_ = root_ && voice == config::Voice::normal;
+}
+
+Progress::Timer::Timer(Progress& p, const std::string& stage)
+    : progress(p), name(stage), exceptions(std::uncaught_exceptions()) {
+  progress.running_ = name;
+  progress.started_ = start;
+  progress.update("", 0);
+}
+
+Progress::Timer::~Timer() {
+  const double seconds = since(start);
+  if (progress.speaks_ && progress.terminal_) std::printf("%s", erase_line);
+  if (std::uncaught_exceptions() > exceptions) return;
+  progress.seconds_.push_back({name, seconds});
+  char text[160];
+  std::snprintf(text, sizeof text, "%-12s %8.2f s", name.c_str(), seconds);
+  progress.line(progress.terminal_ ? text : date() + "  " + text);
+}
+
+void Progress::update(const std::string& what, double fraction) {
+  if (!speaks_ || !terminal_) return;
+  const double seconds = since(started_);
+  std::printf("%s%s%s%s  %3.0f %%  %.0f s", erase_line, running_.c_str(), what.empty() ? "" : ": ", what.c_str(),
+              100 * fraction, seconds);
+  if (fraction > 0.05) std::printf(", about %.0f s left", seconds * (1 - fraction) / fraction);
+  std::fflush(stdout);
+}
+
+void Progress::line(const std::string& text) const {
+  if (!speaks_) return;
+  std::printf("%s\n", text.c_str());
+  std::fflush(stdout);
+}
+
+void Progress::warn(const std::string& text) {
+  warnings_.push_back(text);
+  if (!root_) return;
+  if (speaks_ && terminal_) std::printf("%s", erase_line);
+  std::fflush(stdout);
+  std::fprintf(stderr, "warning: %s\n", text.c_str());
+}
+
+}  // namespace ritz::app

@@ -1,0 +1,44 @@
+#include "ritz/app/resources.hpp"
+
+#include <sys/resource.h>
+
+#include <cstdio>
+#include <fstream>
+
+#include "ritz/parallel/comm.hpp"
+
+namespace ritz::app {
+namespace {
+
+double available_memory() {
+  std::ifstream in("/proc/meminfo");
+  for (std::string word; in >> word;)
+    if (double kilobytes = 0; word == "MemAvailable:" && in >> kilobytes) return 1024 * kilobytes;
+  return 1e300;
+}
+
+}  // namespace
+
+double peak_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024.0 * static_cast<double>(usage.ru_maxrss);
+}
+
+double free_memory_per_rank(MPI_Comm comm) {
+  MPI_Comm machine = MPI_COMM_NULL;
+  MPI_Comm_split_type(comm, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
+  const double share = available_memory() / parallel::size(machine);
+  MPI_Comm_free(&machine);
+  return parallel::min(comm, share);
+}
+
+std::string peak_memory_line(MPI_Comm comm) {
+  const double total = parallel::sum(comm, peak_memory());
+  const int ranks = parallel::size(comm);
+  char text[96];
+  std::snprintf(text, sizeof text, "peak memory %.2f GB over %d rank%s", total / 1e9, ranks, ranks == 1 ? "" : "s");
+  return text;
+}
+
+}  // namespace ritz::app

@@ -1,0 +1,112 @@
+#include "ritz/app/write_model.hpp"
+
+#include <hdf5.h>
+#include <unistd.h>
+
+#include "ritz/app/checksums.hpp"
+#include "ritz/app/frequencies.hpp"
+#include "ritz/app/pending_file.hpp"
+#include "ritz/app/resources.hpp"
+#include "ritz/base/error.hpp"
+#include "ritz/base/version.hpp"
+#include "ritz/parallel/comm.hpp"
+#include "ritz/parallel/guard.hpp"
+
+namespace ritz::app {
+namespace {
+
+/// Property lists for collective writing through MPI.
+class ParallelAccess {
+ public:
+  explicit ParallelAccess(MPI_Comm comm) : file_(H5Pcreate(H5P_FILE_ACCESS)), transfer_(H5Pcreate(H5P_DATASET_XFER)) {
+    H5Pset_fapl_mpio(file_, comm, MPI_INFO_NULL);
+    H5Pset_dxpl_mpio(transfer_, H5FD_MPIO_COLLECTIVE);
+    access = {file_, transfer_, parallel::rank(comm) == 0,
+              [comm](std::uint64_t mine) { return parallel::sum(comm, mine); }};
+  }
+  ~ParallelAccess() {
+    H5Pclose(transfer_);
+    H5Pclose(file_);
+  }
+  ParallelAccess(const ParallelAccess&) = delete;
+  ParallelAccess& operator=(const ParallelAccess&) = delete;
+
+  format::Access access;
+
+ private:
+  hid_t file_, transfer_;
+};
+
+model::Provenance provenance(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
+                             const std::vector<fem::StVK>& materials) {
+  const Checksums sums = checksums(mesh, dofs, materials);
+  return {std::string("ritz-reduce ") + version, petsc::library_versions(), config.resolved, sums.mesh, sums.problem,
+          parallel::size(mesh.comm)};
+}
+
+model::Report report(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const stages::ModesResult& modes,
+                     const Progress& progress) {
+  model::Report report;
+  report.seconds = progress.seconds();
+  report.notes = progress.warnings();
+  report.figures = {{"vertices", static_cast<double>(mesh.vertices_total)},
+                    {"cells", static_cast<double>(mesh.cells_total)},
+                    {"degrees_of_freedom", static_cast<double>(dofs.total)},
+                    {"pieces", static_cast<double>(mesh.pieces)},
+                    {"dropped_vertices", static_cast<double>(mesh.dropped_vertices)},
+                    {"eigensolver_iterations", static_cast<double>(modes.iterations)},
+                    {"peak_memory_bytes", parallel::sum(mesh.comm, peak_memory())}};
+  return report;
+}
+
+/// Columns of U over owned vertices as rows of 3r: the three components of column 0, of column 1, ...
+parallel::RowMatrix by_vertex(const petsc::Tall& u) {
+  parallel::RowMatrix rows(u.rows() / 3, 3 * u.cols());
+  for (Eigen::Index v = 0; v < rows.rows(); ++v)
+    for (Eigen::Index j = 0; j < u.cols(); ++j) rows.row(v).segment<3>(3 * j) = u.col(j).segment<3>(3 * v).transpose();
+  return rows;
+}
+
+void write_columns(format::ModelWriter& out, MPI_Comm comm, const FileOrder& order, const petsc::Tall& u) {
+  const parallel::RowMatrix rows = order.to_file(comm, by_vertex(u));
+  const auto source = [&](format::Index column, std::span<double> values) {
+    for (Eigen::Index v = 0; v < rows.rows(); ++v)
+      for (Eigen::Index c = 0; c < 3; ++c) values[static_cast<std::size_t>(3 * v + c)] = rows(v, 3 * column + c);
+  };
+  format::write_basis(out, u.cols(), rows.rows(), order.slices.vertices, source);
+}
+
+}  // namespace
+
+void refuse_unwritable(MPI_Comm comm, const std::filesystem::path& output) {
+  parallel::on_root(comm, [&] {
+    const auto folder = output.has_parent_path() ? output.parent_path() : std::filesystem::path(".");
+    if (!std::filesystem::is_directory(folder))
+      throw InputError("option -output " + output.string() + ": there is no folder " + folder.string());
+    if (std::filesystem::is_directory(output))
+      throw InputError("option -output " + output.string() + " is a folder; name a file such as model.h5");
+    if (access(folder.c_str(), W_OK) != 0)
+      throw InputError("option -output " + output.string() + ": the folder " + folder.string() + " cannot be written to");
+  });
+}
+
+void write_model(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
+                 const std::vector<fem::StVK>& materials, const FileOrder& order, const petsc::Tall& u,
+                 const stages::ModesResult& modes, const model::Inertia& inertia,
+                 const std::vector<model::SetLoad>& loads, const Progress& progress) {
+  const ParallelAccess access(mesh.comm);
+  format::ModelWriter out(config.output, access.access);
+  format::write_provenance(out, provenance(config, mesh, dofs, materials));
+  format::write_geometry(out, order.geometry, order.slices);
+  write_columns(out, mesh.comm, order, u);
+  format::write_modes(out, modes.modes);
+  format::write_inertia(out, inertia);
+  format::write_loads(out, loads);
+  format::write_report(out, report(mesh, dofs, modes, progress));
+  PendingFile table(mesh.comm, config.output.parent_path() / "frequencies.csv");
+  table.write(frequencies_csv(modes.modes));
+  out.commit();
+  table.publish();
+}
+
+}  // namespace ritz::app

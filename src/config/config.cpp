@@ -1,0 +1,104 @@
+#include "ritz/config/config.hpp"
+
+#include <algorithm>
+
+#include "ritz/base/error.hpp"
+#include "ritz/config/database.hpp"
+#include "ritz/config/supports.hpp"
+#include "ritz/petsc/eigensolver.hpp"
+#include "ritz/petsc/options.hpp"
+
+namespace ritz::config {
+namespace {
+
+MaterialOptions read_material(Database& options, const std::string& prefix) {
+  if (const auto law = options.text(prefix + "law"); law && *law != "stvk")
+    throw InputError("option -" + prefix + "law " + *law + ": no such law; the one there is is 'stvk'");
+  return {options.real(prefix + "young"), options.real(prefix + "poisson"), options.real(prefix + "density")};
+}
+
+/// Regions that have options of their own: -material_REGION_young and so on.
+std::map<std::string, MaterialOptions> read_regions(Database& options) {
+  constexpr std::string_view start = "material_";
+  std::map<std::string, MaterialOptions> regions;
+  for (const auto& [name, value] : petsc::unread_options()) {
+    if (!name.starts_with(start)) continue;
+    for (const std::string_view end : {"_young", "_poisson", "_density", "_law"}) {
+      if (!name.ends_with(end) || name.size() <= start.size() + end.size()) continue;
+      const auto region = name.substr(start.size(), name.size() - start.size() - end.size());
+      if (!regions.contains(region)) regions[region] = read_material(options, std::string(start) + region + "_");
+    }
+  }
+  return regions;
+}
+
+mesh::Source read_source(Database& options) {
+  mesh::Source source;
+  source.units = mesh::parse_units(options.text("units", "m-kg-s"));
+  source.partitioner = options.choice("partitioner", {"metis", "ptscotch"}, 0) == 0 ? mesh::Partitioner::metis
+                                                                                   : mesh::Partitioner::ptscotch;
+  const auto mesh = options.text("mesh");
+  if (!mesh) throw InputError("option -mesh is missing: give a mesh file or box:LX,LY,LZ/NX,NY,NZ/tet4 (-help lists all options)");
+  if (mesh::names_box(*mesh)) source.mesh = mesh::parse_box(*mesh);
+  else source.mesh = std::filesystem::path(*mesh);
+  return source;
+}
+
+void read_supports(Database& options, Config& config) {
+  const auto fix = options.text("fix");
+  if (!fix) return;
+  auto supports = parse_supports(*fix, config.source.units);
+  config.supports = std::move(supports.fixed);
+  config.source.vertex_lists = std::move(supports.vertex_lists);
+  config.file_supports = mesh::FileSupports::ignored;
+}
+
+bool is_slepc(const std::string& name) { return name.starts_with("modes_eps_") || name.starts_with("modes_st_"); }
+
+/// The options that solvers read for themselves, as they were given.
+std::vector<std::pair<std::string, std::string>> solver_options_given() {
+  auto given = petsc::unread_options();
+  std::erase_if(given, [](const auto& o) { return !is_slepc(o.first) && !o.first.starts_with("solve_"); });
+  return given;
+}
+
+/// The solvers meet their options here first: what they object to is input, whatever they call it.
+void read_solver_options(MPI_Comm comm) {
+  try {
+    petsc::read_eigensolver_options(comm);
+    petsc::read_solver_options(comm, "solve_");
+  } catch (const NumericalError& error) {
+    const std::string why = error.what();
+    throw InputError("an option under -modes_ or -solve_ does not work: " + why.substr(0, why.find(" (in ")));
+  }
+}
+
+}  // namespace
+
+Config read_config(MPI_Comm comm) {
+  Database options;
+  Config config;
+  config.source = read_source(options);
+  read_supports(options, config);
+  config.material = read_material(options, "material_");
+  config.by_region = read_regions(options);
+  config.modes.count = options.integer("modes", 20, 0);
+  config.modes.block = options.integer("modes_block", 4, 1, 64);
+  config.modes.tolerance = options.real("modes_tolerance", 1e-10, 1e-14, 1e-2);
+  const auto solvers = solver_options_given();
+  config.modes.slepc = std::any_of(solvers.begin(), solvers.end(), [](const auto& o) { return is_slepc(o.first); });
+  config.solver = static_cast<Solver>(options.choice("solver", {"auto", "direct", "iterative"}, 0));
+  config.reuse = options.text("reuse");
+  config.rows = options.flag("surface_only") ? StoredRows::surface : StoredRows::all;
+  config.goal = options.flag("plan") ? Goal::plan : Goal::model;
+  config.voice = options.flag("quiet") ? Voice::quiet : Voice::normal;
+  config.exported = static_cast<Export>(options.choice("export", {"none", "matrixmarket", "petsc"}, 0));
+  config.output = options.text("output", "model.h5");
+  read_solver_options(comm);
+  refuse_unread_options();
+  config.resolved = options.resolved();
+  config.resolved.insert(config.resolved.end(), solvers.begin(), solvers.end());
+  return config;
+}
+
+}  // namespace ritz::config

@@ -1,0 +1,55 @@
+// Everything a run of ritz-reduce is told, as plain values.
+#pragma once
+#include <mpi.h>
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ritz/fem/material.hpp"
+#include "ritz/mesh/dofs.hpp"
+#include "ritz/mesh/read.hpp"
+#include "ritz/stages/linear_modes.hpp"
+
+namespace ritz::config {
+
+/// What the options say of a material; what they leave open is the mesh file's.
+struct MaterialOptions {
+  std::optional<double> young, poisson, density;  ///< in the units of -units
+};
+
+enum class Solver { automatic, direct, iterative };
+enum class StoredRows { all, surface };
+enum class Goal { model, plan };
+enum class Voice { normal, quiet };
+enum class Export { nothing, matrixmarket, petsc };
+
+struct Config {
+  mesh::Source source;
+  std::vector<mesh::Fixed> supports;
+  mesh::FileSupports file_supports = mesh::FileSupports::used;
+  MaterialOptions material;                            ///< for every region
+  std::map<std::string, MaterialOptions> by_region;    ///< wins over `material`
+  Solver solver = Solver::automatic;
+  stages::ModesOptions modes;
+  std::optional<std::filesystem::path> reuse;
+  StoredRows rows = StoredRows::all;
+  Goal goal = Goal::model;
+  Voice voice = Voice::normal;
+  Export exported = Export::nothing;
+  std::filesystem::path output = "model.h5";
+  std::vector<std::pair<std::string, std::string>> resolved;  ///< every option as read or by default
+};
+
+/// Reads and cross-checks the options of ritz-reduce, and refuses those that nobody reads. Throws InputError on all
+/// ranks alike. *Collective*.
+Config read_config(MPI_Comm comm);
+
+/// The material of each region in SI: -material_REGION_* over -material_* over the mesh file's own. Throws InputError
+/// for a region without a complete or with an impossible material, and for a region that does not exist.
+std::vector<fem::StVK> region_materials(const Config& config, const std::vector<mesh::Region>& regions);
+
+}  // namespace ritz::config

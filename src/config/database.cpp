@@ -1,0 +1,126 @@
+#include "ritz/config/database.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "ritz/base/error.hpp"
+#include "ritz/base/nearest.hpp"
+#include "ritz/config/option_table.hpp"
+#include "ritz/petsc/options.hpp"
+
+namespace ritz::config {
+namespace {
+
+std::string shown(double x) {
+  std::array<char, 32> digits;
+  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), x).ptr};
+}
+
+std::string listed(const std::vector<std::string>& words) {
+  std::string text;
+  for (const auto& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+template <class T>
+T parse(const std::string& name, const std::string& word, const char* kind) {
+  T value{};
+  const char* first = word.data() + (word.starts_with('+') ? 1 : 0);
+  const auto [end, error] = std::from_chars(first, word.data() + word.size(), value);
+  if (word.empty()) throw InputError("option -" + name + " needs " + kind + " after it");
+  if (error != std::errc() || end != word.data() + word.size())
+    throw InputError("option -" + name + " " + word + ": that is not " + kind);
+  return value;
+}
+
+/// Options that are right but read only when PETSc ends, or when a solver has solved or set up its levels.
+bool is_late(const std::string& name) {
+  constexpr std::array at_the_end = {"log_view", "log_view_memory", "options_left", "options_view", "objects_dump",
+                                     "malloc_dump", "malloc_view", "memory_view", "mpidump", "citations"};
+  constexpr std::array reports = {"_view", "_converged_reason", "_error_"};
+  const auto holds = [&](const char* part) { return name.find(part) != name.npos; };
+  if (std::find(at_the_end.begin(), at_the_end.end(), name) != at_the_end.end()) return true;
+  if (name.starts_with("modes_st_mg_levels_")) return true;
+  const bool solver = name.starts_with("modes_eps_") || name.starts_with("modes_st_") || name.starts_with("solve_ksp_");
+  return solver && std::any_of(reports.begin(), reports.end(), holds);
+}
+
+}  // namespace
+
+std::optional<std::string> Database::text(const std::string& name) {
+  auto value = petsc::option_value("-" + name);
+  if (value && value->empty()) throw InputError("option -" + name + " needs a value after it");
+  if (value) resolved_.emplace_back(name, *value);
+  return value;
+}
+
+std::string Database::text(const std::string& name, const std::string& fallback) {
+  if (const auto value = text(name)) return *value;
+  resolved_.emplace_back(name, fallback);
+  return fallback;
+}
+
+int Database::integer(const std::string& name, int fallback, int least, int most) {
+  int value = fallback;
+  if (const auto word = petsc::option_value("-" + name)) value = parse<int>(name, *word, "a whole number");
+  if (value < least || value > most)
+    throw InputError("option -" + name + " " + std::to_string(value) + " must be at least " + std::to_string(least) +
+                     (most < std::numeric_limits<int>::max() ? " and at most " + std::to_string(most) : ""));
+  resolved_.emplace_back(name, std::to_string(value));
+  return value;
+}
+
+std::optional<double> Database::real(const std::string& name) {
+  const auto word = petsc::option_value("-" + name);
+  if (!word) return std::nullopt;
+  const auto value = parse<double>(name, *word, "a number");
+  if (!std::isfinite(value)) throw InputError("option -" + name + " " + *word + ": that is not a finite number");
+  resolved_.emplace_back(name, *word);
+  return value;
+}
+
+double Database::real(const std::string& name, double fallback, double least, double most) {
+  const auto given = real(name);
+  if (!given) resolved_.emplace_back(name, shown(fallback));
+  const double value = given.value_or(fallback);
+  if (!(value >= least && value <= most))
+    throw InputError("option -" + name + " " + shown(value) + " must lie between " + shown(least) + " and " + shown(most));
+  return value;
+}
+
+bool Database::flag(const std::string& name) {
+  const auto word = petsc::option_value("-" + name);
+  bool value = word.has_value();
+  if (word && !word->empty()) {
+    if (*word == "0" || *word == "false" || *word == "no" || *word == "off") value = false;
+    else if (*word != "1" && *word != "true" && *word != "yes" && *word != "on")
+      throw InputError("option -" + name + " " + *word + ": that is neither true nor false");
+  }
+  resolved_.emplace_back(name, value ? "true" : "false");
+  return value;
+}
+
+std::size_t Database::choice(const std::string& name, const std::vector<std::string>& words, std::size_t fallback) {
+  const auto word = text(name, words[fallback]);
+  const auto found = std::find(words.begin(), words.end(), word);
+  if (found == words.end())
+    throw InputError("option -" + name + " " + word + " is not one of " + listed(words) + "; did you mean '" +
+                     nearest(word, words) + "'?");
+  return static_cast<std::size_t>(found - words.begin());
+}
+
+void refuse_unread_options() {
+  std::vector<std::string> names;
+  for (const auto& entry : option_table()) names.emplace_back(entry.name);
+  const auto own = names;
+  for (const auto name : solver_options()) names.emplace_back(name);
+  for (const auto& [name, value] : petsc::unread_options()) {
+    if (is_late(name) || std::find(own.begin(), own.end(), name) != own.end()) continue;
+    throw InputError("there is no option -" + name + "; did you mean -" + nearest(name, names) +
+                     "? (-help lists them all)");
+  }
+}
+
+}  // namespace ritz::config

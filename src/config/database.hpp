@@ -1,0 +1,32 @@
+// Typed reading of options, each error naming the option.
+#pragma once
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ritz::config {
+
+/// Remembers what was read and what it came to.
+class Database {
+ public:
+  std::optional<std::string> text(const std::string& name);
+  std::string text(const std::string& name, const std::string& fallback);
+  int integer(const std::string& name, int fallback, int least, int most = std::numeric_limits<int>::max());
+  double real(const std::string& name, double fallback, double least, double most);
+  std::optional<double> real(const std::string& name);
+  bool flag(const std::string& name);
+  /// One of `words`; throws InputError naming the nearest.
+  std::size_t choice(const std::string& name, const std::vector<std::string>& words, std::size_t fallback);
+
+  const std::vector<std::pair<std::string, std::string>>& resolved() const { return resolved_; }
+
+ private:
+  std::vector<std::pair<std::string, std::string>> resolved_;
+};
+
+/// Throws InputError for the first option that nobody read, naming the nearest real one.
+void refuse_unread_options();
+
+}  // namespace ritz::config

@@ -1,0 +1,71 @@
+#include "ritz/config/option_table.hpp"
+
+#include <array>
+#include <iomanip>
+#include <sstream>
+
+namespace ritz::config {
+namespace {
+
+constexpr std::array entries = std::to_array<OptionEntry>({
+    {"mesh", "FILE | box:LX,LY,LZ/NX,NY,NZ/TYPE", "", "required",
+     "the mesh: .msh, .veg, .inp or .vtu, or a generated beam of tet4, tet10 or hex8"},
+    {"units", "LENGTH-MASS-TIME", "", "m-kg-s",
+     "the units of the mesh, its materials, -material_* and -fix box:, such as mm-t-s"},
+    {"partitioner", "metis | ptscotch", "", "metis", "what cuts a mesh file into one part a rank"},
+    {"fix", "SET[:xyz],... | FILE.bou | box:x0,x1,y0,y1,z0,z1[:xyz] | none", "", "the mesh file's own",
+     "what is held, and which components"},
+    {"material_young", "E", "Pa, > 0", "the mesh file's", "Young's modulus; -material_REGION_young for one region"},
+    {"material_poisson", "NU", "-1 < nu < 0.5", "the mesh file's", "Poisson's ratio; -material_REGION_poisson"},
+    {"material_density", "RHO", "kg/m3, > 0", "the mesh file's", "density; -material_REGION_density"},
+    {"material_law", "stvk", "", "stvk", "the law (its small-strain limit is Hooke's); -material_REGION_law"},
+    {"modes", "K", "0 ... ", "20", "flexible modes wanted; a cluster at K is kept whole, rigid modes are extra"},
+    {"modes_block", "P", "1 ... 64", "4", "block size of the Lanczos iteration"},
+    {"modes_tolerance", "T", "1e-14 ... 1e-2", "1e-10", "relative residual at which Lanczos stops"},
+    {"solver", "direct | iterative | auto", "", "auto",
+     "direct: MUMPS, certified; iterative: multigrid, less memory, not certified"},
+    {"reuse", "FILE.h5", "", "none", "take modes from an earlier model of the same mesh, materials and supports"},
+    {"surface_only", "", "", "off", "store only the rows of U on the surface"},
+    {"export", "matrixmarket | petsc", "", "none", "write K, M and the modes beside the model, in the file's order"},
+    {"output", "FILE.h5", "", "model.h5", "the model; frequencies.csv stands in the same folder"},
+    {"plan", "", "", "off", "print the stages, their memory and time, and stop"},
+    {"quiet", "", "", "off", "print only warnings and errors"},
+    {"options_file", "FILE", "", "none", "options from a file (.yml or .yaml: YAML); the command line wins"},
+    {"help", "", "", "", "this text"},
+    {"log_view", "", "", "off", "PETSc's own timing table, by named stages"},
+    {"scene", "FILE.toml", "", "", "ritz-full: the scene"},
+});
+
+constexpr std::array solvers = std::to_array<std::string_view>({
+    "modes_eps_type", "modes_eps_tol", "modes_eps_max_it", "modes_eps_ncv", "modes_eps_mpd", "modes_eps_nev",
+    "modes_eps_target", "modes_eps_monitor", "modes_eps_view", "modes_eps_converged_reason", "modes_st_type",
+    "modes_st_shift", "modes_st_ksp_type", "modes_st_ksp_rtol", "modes_st_ksp_max_it", "modes_st_pc_type",
+    "modes_st_pc_factor_mat_solver_type", "modes_st_pc_gamg_threshold", "modes_st_mat_mumps_icntl_14",
+    "solve_ksp_type", "solve_ksp_view", "solve_pc_type", "solve_pc_factor_mat_solver_type", "solve_mat_mumps_icntl_4",
+    "solve_mat_mumps_icntl_7", "solve_mat_mumps_icntl_14", "solve_mat_mumps_icntl_22", "solve_mat_mumps_cntl_1",
+});
+
+}  // namespace
+
+std::span<const OptionEntry> option_table() { return entries; }
+
+std::span<const std::string_view> solver_options() { return solvers; }
+
+std::string help_text(std::string_view program) {
+  std::ostringstream out;
+  out << "usage: mpirun -n RANKS " << program << " -mesh FILE [-option [value]]...\n\n"
+      << "Turns a finite element mesh into a reduced model: reads it, assembles K and M, solves for the lowest\n"
+         "vibration modes, and writes one HDF5 file that ritz-run moves and ritz-inspect prints.\n\noptions:\n";
+  for (const auto& e : entries) {
+    out << "  -" << e.name << (e.argument.empty() ? "" : " ") << e.argument << "\n      " << e.text << '\n';
+    if (e.unit.empty() && e.fallback.empty()) continue;
+    out << "      " << (e.unit.empty() ? "" : "[") << e.unit << (e.unit.empty() ? "" : "] ")
+        << (e.fallback.empty() ? "" : "default: ") << e.fallback << '\n';
+  }
+  out << "\nsolvers: options under -solve_ksp_, -solve_pc_ and -solve_mat_mumps_ reach the factorization; any option\n"
+         "under -modes_eps_ or -modes_st_ hands the modes to SLEPc (Krylov-Schur, or the solver that it names).\n"
+         "exit codes: 0 done; 1 the numerics failed; 2 the input is wrong.\n";
+  return out.str();
+}
+
+}  // namespace ritz::config

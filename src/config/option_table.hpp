@@ -1,0 +1,25 @@
+// Every option of ritz-reduce and ritz-full, once: what -help prints and what a misspelt option is compared with.
+#pragma once
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace ritz::config {
+
+struct OptionEntry {
+  std::string_view name;      ///< without the dash
+  std::string_view argument;  ///< "" for a flag
+  std::string_view unit;      ///< unit and range
+  std::string_view fallback;  ///< the default
+  std::string_view text;
+};
+
+std::span<const OptionEntry> option_table();
+
+/// The best-known options of SLEPc and PETSc under our prefixes, for suggestions only: they read their own.
+std::span<const std::string_view> solver_options();
+
+/// What -help prints.
+std::string help_text(std::string_view program);
+
+}  // namespace ritz::config

@@ -1,0 +1,19 @@
+// What the ranks that write one file must agree on, all of it through Access::sum.
+#pragma once
+#include <cstdint>
+#include <string>
+
+#include "ritz/format/writer.hpp"
+
+namespace ritz::format {
+
+/// *Collective*: the sum over ranks, modulo 2^64.
+std::uint64_t sum(const Access& access, std::uint64_t value);
+/// *Collective*: the value of the rank that writes what is small.
+std::uint64_t shared(const Access& access, std::uint64_t value);
+/// *Collective*: the same for bytes of any number.
+std::string shared(const Access& access, std::string bytes);
+/// *Collective*: throws std::runtime_error on all ranks when `ok` is false on one.
+void agree(const ModelWriter& out, bool ok, const std::string& path);
+
+}  // namespace ritz::format

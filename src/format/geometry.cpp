@@ -1,0 +1,144 @@
+#include <algorithm>
+
+#include "read.hpp"
+#include "ritz/format/names.hpp"
+#include "ritz/format/parts.hpp"
+#include "vtkhdf.hpp"
+#include "write.hpp"
+
+namespace ritz::format {
+
+namespace {
+
+/// This rank's offsets counted from the first entry of all; the last rank with cells ends them.
+std::vector<Index> global_offsets(const model::DrawnCells& cells, const GeometrySlices& slices, bool alone) {
+  const auto count = static_cast<Index>(cells.vtk_types.size());
+  std::vector<Index> offsets;
+  for (Index c = 0; c < count; ++c)
+    offsets.push_back(slices.cell_vertices.first + cells.offsets[static_cast<std::size_t>(c)]);
+  const bool ends = count > 0 && slices.cells.first + count == slices.cells.total;
+  if (ends || (slices.cells.total == 0 && alone)) offsets.push_back(slices.cell_vertices.total);
+  return offsets;
+}
+
+void write_cells(const ModelWriter& out, const std::string& group, const model::DrawnCells& mine,
+                 const GeometrySlices& slices) {
+  create_group(out, schema::join(group, "cells"));
+  write_rows<std::uint8_t>(out, schema::join(group, schema::cell_types), "1", mine.vtk_types, slices.cells);
+  const auto offsets = global_offsets(mine, slices, out.access().writes_small);
+  write_rows<Index>(out, schema::join(group, schema::cell_offsets), "1", offsets,
+                    {slices.cells.first, slices.cells.total + 1});
+  write_rows<Index>(out, schema::join(group, schema::cell_vertices), "1", mine.vertices, slices.cell_vertices);
+}
+
+void write_sets(const ModelWriter& out, const std::string& group, const std::vector<model::VertexSet>& sets) {
+  for (const auto& set : sets) {
+    const auto path = schema::join(schema::join(group, schema::sets), schema::link_name(set.name));
+    create_group(out, path);
+    write_attribute(out, path, schema::full_count, set.full_count);
+    write_vector<Index>(out, schema::join(path, schema::set_rows), "1", set.rows);
+  }
+}
+
+void write_materials(const ModelWriter& out, const std::string& group,
+                     const std::vector<model::RegionMaterial>& materials) {
+  if (materials.empty()) return;
+  std::vector<std::string> regions;
+  std::vector<double> young, poisson, density;
+  for (const auto& [region, material] : materials) {
+    regions.push_back(region);
+    young.push_back(material.young);
+    poisson.push_back(material.poisson);
+    density.push_back(material.density);
+  }
+  const auto path = schema::join(group, schema::materials);
+  create_group(out, path);
+  write_texts(out, schema::join(path, schema::regions), regions);
+  write_vector<double>(out, schema::join(path, schema::young), "Pa", young);
+  write_vector<double>(out, schema::join(path, schema::poisson), "1", poisson);
+  write_vector<double>(out, schema::join(path, schema::density), "kg/m^3", density);
+}
+
+bool in_range(const std::vector<Index>& rows, Index count) {
+  return std::ranges::all_of(rows, [=](Index row) { return 0 <= row && row < count; });
+}
+
+model::DrawnCells read_cells(const ModelReader& in, const std::string& group, Index points) {
+  model::DrawnCells cells;
+  cells.vtk_types = read_vector<std::uint8_t>(in, schema::join(group, schema::cell_types));
+  const auto offsets = schema::join(group, schema::cell_offsets);
+  const auto vertices = schema::join(group, schema::cell_vertices);
+  cells.offsets = read_vector<Index>(in, offsets, static_cast<Index>(cells.vtk_types.size()) + 1);
+  cells.vertices = read_vector<Index>(in, vertices);
+  const auto entries = static_cast<Index>(cells.vertices.size());
+  if (cells.offsets.front() != 0 || cells.offsets.back() != entries || !std::ranges::is_sorted(cells.offsets))
+    fail(in, offsets, "does not ascend from 0 to the number of entries of " + vertices);
+  if (!in_range(cells.vertices, points)) fail(in, vertices, "names vertices that are not stored");
+  return cells;
+}
+
+std::vector<model::VertexSet> read_sets(const ModelReader& in, const std::string& group, Index points) {
+  std::vector<model::VertexSet> sets;
+  for (const auto& link : links(in, schema::join(group, schema::sets))) {
+    const auto path = schema::join(schema::join(group, schema::sets), link);
+    const auto rows = schema::join(path, schema::set_rows);
+    sets.push_back(
+        {schema::name_of_link(link), read_vector<Index>(in, rows), read_index(in, path, schema::full_count)});
+    if (!in_range(sets.back().rows, points)) fail(in, rows, "names vertices that are not stored");
+  }
+  return sets;
+}
+
+std::vector<model::RegionMaterial> read_materials(const ModelReader& in, const std::string& group) {
+  std::vector<model::RegionMaterial> materials;
+  const auto path = schema::join(group, schema::materials);
+  if (!exists(in, path)) return materials;
+  const auto regions = read_texts(in, schema::join(path, schema::regions));
+  const auto count = static_cast<Index>(regions.size());
+  const auto young = read_vector<double>(in, schema::join(path, schema::young), count);
+  const auto poisson = read_vector<double>(in, schema::join(path, schema::poisson), count);
+  const auto density = read_vector<double>(in, schema::join(path, schema::density), count);
+  for (std::size_t i = 0; i < regions.size(); ++i)
+    materials.push_back({regions[i], {young[i], poisson[i], density[i]}});
+  return materials;
+}
+
+}  // namespace
+
+GeometrySlices whole(const model::Geometry& geometry) {
+  return {{0, geometry.points.rows()},
+          {0, static_cast<Index>(geometry.cells.vtk_types.size())},
+          {0, static_cast<Index>(geometry.cells.vertices.size())}};
+}
+
+void write_geometry(ModelWriter& out, const model::Geometry& mine, const GeometrySlices& slices,
+                    std::string_view body) {
+  const auto group = schema::body_part(body, schema::geometry);
+  create_group(out, group);
+  write_attribute(out, group, schema::rows, name(mine.rows));
+  write_attribute(out, group, schema::full_vertices, mine.full_vertices);
+  const std::span<const double> points(mine.points.data(), static_cast<std::size_t>(mine.points.size()));
+  write_rows<double>(out, schema::join(group, schema::points), "m", points, slices.vertices, 3);
+  write_rows<Index>(out, schema::join(group, schema::vertex_ids), "1", mine.vertex_ids, slices.vertices);
+  write_cells(out, group, mine.cells, slices);
+  write_sets(out, group, mine.sets);
+  write_materials(out, group, mine.materials);
+  write_grid(out, group, slices);
+}
+
+model::Geometry read_geometry(const ModelReader& in, std::string_view body) {
+  const auto group = schema::body_part(body, schema::geometry);
+  if (!exists(in, group)) fail(in, group, "is missing");
+  model::Geometry geometry;
+  if (!parse(read_text(in, group, schema::rows), geometry.rows)) fail(in, group, "stores an unknown kind of rows");
+  geometry.full_vertices = read_index(in, group, schema::full_vertices);
+  geometry.points = read_matrix(in, schema::join(group, schema::points), any, 3);
+  const Index points = geometry.points.rows();
+  geometry.vertex_ids = read_vector<Index>(in, schema::join(group, schema::vertex_ids), points);
+  geometry.cells = read_cells(in, group, points);
+  geometry.sets = read_sets(in, group, points);
+  geometry.materials = read_materials(in, group);
+  return geometry;
+}
+
+}  // namespace ritz::format

@@ -1,0 +1,62 @@
+// Groups, attributes and datasets being written. Every function is *Collective* and throws std::runtime_error on all
+// ranks when one of them fails.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hdf5.hpp"
+#include "ritz/format/parts.hpp"
+
+namespace ritz::format {
+
+/// Makes the group and those above it that are missing. Links keep the order in which they are made.
+void create_group(const ModelWriter& out, const std::string& path);
+
+void write_attribute(const ModelWriter& out, const std::string& object, const char* name, double value);
+void write_attribute(const ModelWriter& out, const std::string& object, const char* name, std::int64_t value);
+void write_attribute(const ModelWriter& out, const std::string& object, const char* name, std::uint64_t value);
+void write_attribute(const ModelWriter& out, const std::string& object, const char* name,
+                     std::span<const std::int64_t> values);
+void write_attribute(const ModelWriter& out, const std::string& object, const char* name, std::string_view text);
+/// A fixed-length ASCII string, as VTKHDF demands.
+void write_ascii(const ModelWriter& out, const std::string& object, const char* name, std::string_view text);
+
+/// This rank's rows of a dataset.
+struct Block {
+  const void* data;
+  Index rows;
+  Slice slice;
+  std::vector<hsize_t> row_shape;  ///< empty: a row is one number
+  hid_t type;
+};
+
+/// Creates the dataset, writes each rank's block, and attaches units and checksum.
+void write_block(const ModelWriter& out, const std::string& path, std::string_view units, const Block& block);
+
+/// Sliced: `values` are this rank's rows, each of `row_length` numbers (0: rows are numbers, not one-number rows).
+template <class T>
+void write_rows(const ModelWriter& out, const std::string& path, std::string_view units, std::span<const T> values,
+                Slice slice, hsize_t row_length = 0) {
+  std::vector<hsize_t> row_shape(row_length > 0 ? 1 : 0, row_length);
+  const auto rows = static_cast<Index>(values.size() / (row_length > 0 ? row_length : 1));
+  write_block(out, path, units, {values.data(), rows, slice, std::move(row_shape), hdf5_type<T>()});
+}
+
+/// Replicated; written by one rank.
+template <class T>
+void write_vector(const ModelWriter& out, const std::string& path, std::string_view units, std::span<const T> values) {
+  const auto mine = out.access().writes_small ? values : std::span<const T>();
+  write_rows<T>(out, path, units, mine, {0, static_cast<Index>(values.size())});
+}
+/// Replicated; a row-major matrix of the same shape in the file.
+void write_matrix(const ModelWriter& out, const std::string& path, std::string_view units, const model::RowMatrix& m);
+
+/// Replicated: `columns` texts a row (1: a plain list), of one fixed length, padded with zeros. Nothing is written
+/// when there are none.
+void write_texts(const ModelWriter& out, const std::string& path, const std::vector<std::string>& texts,
+                 std::size_t columns = 1);
+
+}  // namespace ritz::format

@@ -1,0 +1,84 @@
+#include "ritz/format/writer.hpp"
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+
+#include "collective.hpp"
+#include "disk.hpp"
+#include "ritz/base/error.hpp"
+#include "write.hpp"
+
+namespace ritz::format {
+
+namespace {
+
+// HDF5 hangs (MPI) or crashes at exit (serial) when the disk is full while it flushes or closes a file. So it must not
+// be: room for its own records is taken at the start, and released by emptying the file before one is given up; room
+// for the whole file is taken before the last flush.
+constexpr std::uint64_t room_for_records = 1 << 20;
+
+/// HDF5 1.10's file layout: compact groups, and checksums on everything that is not a dataset's numbers.
+Properties file_access(hid_t callers) {
+  Properties access(callers == H5P_DEFAULT ? H5Pcreate(H5P_FILE_ACCESS) : H5Pcopy(callers));
+  H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110);
+  return access;
+}
+
+}  // namespace
+
+ModelWriter::ModelWriter(Uncreated, std::filesystem::path path, Access access)
+    : path_(std::move(path)), access_(std::move(access)) {}
+
+ModelWriter::ModelWriter(std::filesystem::path path, Access access)
+    : ModelWriter(Uncreated{}, std::move(path), std::move(access)) {
+  auto part = path_;
+  part += ".part";
+  const int mine = access_.writes_small ? try_create(path_, part) : 0;
+  if (const auto error = static_cast<int>(shared(access_, static_cast<std::uint64_t>(mine))))
+    throw InputError("cannot write " + path_.string() + ": " + std::strerror(error) +
+                     "; name an output in a folder that exists and can be written to");
+  part_ = std::move(part);
+  reserve_on_disk(room_for_records);
+
+  const Quiet quiet;
+  const Properties creation(H5Pcreate(H5P_FILE_CREATE));
+  H5Pset_obj_track_times(creation.get(), false);
+  H5Pset_link_creation_order(creation.get(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
+  file_ = File(H5Fcreate(part_.c_str(), H5F_ACC_TRUNC, creation.get(), file_access(access_.file).get()));
+  agree(*this, bool(file_), "/");
+  reserve_on_disk(room_for_records);  // creation has let it go
+  write_attribute(*this, "/", schema::format, schema::format_name);
+  write_attribute(*this, "/", schema::version, std::array<std::int64_t, 2>{schema::major, schema::minor});
+}
+
+void ModelWriter::reserve_on_disk(std::uint64_t bytes) const {
+  agree(*this, !access_.writes_small || reserve(part_, bytes), "/");
+}
+
+ModelWriter::~ModelWriter() {
+  if (part_.empty()) return;
+  const Quiet quiet;
+  std::error_code ignored;
+  try {
+    if (access_.writes_small) std::filesystem::resize_file(part_, 0, ignored);
+    sum(access_, 0);  // no rank closes before there is room
+  } catch (...) {     // a destructor has nobody to tell
+  }
+  file_.close();
+  if (access_.writes_small) std::filesystem::remove(part_, ignored);
+}
+
+void ModelWriter::commit() {
+  const Quiet quiet;
+  hsize_t bytes = 0;
+  H5Fget_filesize(file_.get(), &bytes);
+  reserve_on_disk(bytes);
+  agree(*this, H5Fflush(file_.get(), H5F_SCOPE_GLOBAL) >= 0, "/");
+  agree(*this, file_.close(), "/");
+  agree(*this, !access_.writes_small || publish(part_, path_), "/");
+  part_.clear();
+}
+
+}  // namespace ritz::format

@@ -1,0 +1,128 @@
+#include "ritz/mesh/dofs.hpp"
+
+#include <algorithm>
+
+#include "ritz/base/error.hpp"
+#include "ritz/base/nearest.hpp"
+#include "ritz/base/random.hpp"
+#include "ritz/parallel/comm.hpp"
+
+namespace ritz::mesh {
+namespace {
+
+const Set& find_set(const Mesh& mesh, const std::string& name, const std::string& text) {
+  if (const Set* set = mesh.find(name)) return *set;
+  std::vector<std::string> names;
+  for (const auto& set : mesh.sets) names.push_back(set.name);
+  if (names.empty()) throw InputError("option -fix " + text + ": the mesh has no named sets; use box:x0,x1,y0,y1,z0,z1");
+  throw InputError("option -fix " + text + ": the mesh has no set '" + name + "'; did you mean '" +
+                   nearest(name, names) + "'?");
+}
+
+std::vector<int> vertices_of(const Mesh& mesh, const Fixed& support) {
+  if (const auto* name = std::get_if<std::string>(&support.where)) {
+    const Set& set = find_set(mesh, *name, support.text);
+    if (set.vertices_total == 0) throw InputError("option -fix " + support.text + ": the set '" + *name + "' is empty");
+    return set.vertices;
+  }
+  const auto& box = std::get<Region3>(support.where);
+  std::vector<int> inside;
+  Index owned = 0;
+  for (int v = 0; v < mesh.local_vertices(); ++v) {
+    const auto x = mesh.points.col(v).array();
+    if ((x < box.low.array()).any() || (x > box.high.array()).any()) continue;
+    inside.push_back(v);
+    owned += v < mesh.owned;
+  }
+  if (parallel::sum(mesh.comm, owned) == 0) throw InputError("option -fix " + support.text + ": no vertex lies in that box");
+  return inside;
+}
+
+using Mask = std::vector<std::uint8_t>;
+
+void fix(Mask& mask, const std::vector<int>& vertices, const std::array<bool, components>& which) {
+  for (const int v : vertices)
+    for (std::size_t c = 0; c < components; ++c)
+      if (which[c]) mask[components * static_cast<std::size_t>(v) + c] = 1;
+}
+
+/// Numbers owned free components from dofs.first on; then asks the owners of ghosts.
+void number_free(const Mesh& mesh, const Mask& mask, Dofs& dofs) {
+  dofs.numbers.assign(mask.size(), -1);
+  Index free = 0;
+  for (std::size_t i = 0; i < components * static_cast<std::size_t>(mesh.owned); ++i) free += !mask[i];
+  dofs.owned = static_cast<int>(free);
+  dofs.first = parallel::sum_before(mesh.comm, free);
+  dofs.total = parallel::sum(mesh.comm, free);
+  Index next = dofs.first;
+  for (std::size_t i = 0; i < components * static_cast<std::size_t>(mesh.owned); ++i)
+    if (!mask[i]) dofs.numbers[i] = next++;
+}
+
+void number_ghosts(const Mesh& mesh, Dofs& dofs) {
+  const auto firsts = parallel::gather_all(mesh.comm, std::vector<Index>{mesh.first});
+  const auto ranks = firsts.size();
+  std::vector<std::vector<Index>> asked(ranks);
+  std::vector<std::size_t> owner(static_cast<std::size_t>(mesh.local_vertices() - mesh.owned));
+  for (std::size_t g = 0; g < owner.size(); ++g) {
+    const Index vertex = mesh.global[static_cast<std::size_t>(mesh.owned) + g];
+    owner[g] = static_cast<std::size_t>(std::upper_bound(firsts.begin(), firsts.end(), vertex) - firsts.begin() - 1);
+    asked[owner[g]].push_back(vertex);
+  }
+  auto answers = parallel::exchange(mesh.comm, asked);
+  for (auto& list : answers) {
+    std::vector<Index> numbers;
+    for (const Index vertex : list)
+      for (int c = 0; c < components; ++c) numbers.push_back(dofs.number(static_cast<int>(vertex - mesh.first), c));
+    list = std::move(numbers);
+  }
+  answers = parallel::exchange(mesh.comm, answers);
+  std::vector<std::size_t> next(ranks, 0);
+  for (std::size_t g = 0; g < owner.size(); ++g)
+    for (std::size_t c = 0; c < components; ++c)
+      dofs.numbers[components * (static_cast<std::size_t>(mesh.owned) + g) + c] = answers[owner[g]][next[owner[g]]++];
+}
+
+}  // namespace
+
+Dofs number(const Mesh& mesh, const std::vector<Fixed>& supports, FileSupports file_supports) {
+  Mask mask(components * static_cast<std::size_t>(mesh.local_vertices()), 0);
+  for (const auto& support : supports) fix(mask, vertices_of(mesh, support), support.fixed);
+  if (file_supports == FileSupports::used)
+    for (const auto& support : mesh.supports) fix(mask, support.vertices, support.components);
+
+  Dofs dofs;
+  dofs.comm = mesh.comm;
+  number_free(mesh, mask, dofs);
+  if (dofs.total == 0) throw InputError("the supports (-fix) fix every vertex of the mesh: nothing is left to move");
+  number_ghosts(mesh, dofs);
+
+  std::int32_t partly = 0;
+  std::uint64_t sum = 0;
+  for (std::size_t v = 0; v < static_cast<std::size_t>(mesh.owned); ++v) {
+    const int fixed = mask[3 * v] + 2 * mask[3 * v + 1] + 4 * mask[3 * v + 2];
+    partly |= fixed != 0 && fixed != 7;
+    if (fixed) sum += split_mix(static_cast<std::uint64_t>(mesh.file_positions[v]) * 8 + static_cast<std::uint64_t>(fixed));
+  }
+  dofs.block = parallel::max(mesh.comm, partly) ? 1 : components;
+  dofs.checksum = parallel::sum(mesh.comm, sum);
+  return dofs;
+}
+
+petsc::Tall to_vertices(const Mesh& mesh, const Dofs& dofs, const petsc::ConstTallRef& x) {
+  petsc::Tall u = petsc::Tall::Zero(components * mesh.owned, x.cols());
+  for (int v = 0; v < mesh.owned; ++v)
+    for (int c = 0; c < components; ++c)
+      if (!dofs.fixed(v, c)) u.row(components * v + c) = x.row(dofs.number(v, c) - dofs.first);
+  return u;
+}
+
+petsc::Tall from_vertices(const Mesh& mesh, const Dofs& dofs, const petsc::ConstTallRef& u) {
+  petsc::Tall x(dofs.owned, u.cols());
+  for (int v = 0; v < mesh.owned; ++v)
+    for (int c = 0; c < components; ++c)
+      if (!dofs.fixed(v, c)) x.row(dofs.number(v, c) - dofs.first) = u.row(components * v + c);
+  return x;
+}
+
+}  // namespace ritz::mesh

@@ -1,0 +1,55 @@
+// Degrees of freedom: three displacements a vertex, less those that a support fixes.
+#pragma once
+#include <array>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "ritz/mesh/mesh.hpp"
+#include "ritz/petsc/multivector.hpp"
+
+namespace ritz::mesh {
+
+inline constexpr int components = 3;  ///< of the displacement of a vertex of a solid
+
+/// A box [low, high] of coordinates, m.
+struct Region3 {
+  Eigen::Vector3d low, high;
+};
+
+/// What is fixed where: a named set or a coordinate box, and which components.
+struct Fixed {
+  std::variant<std::string, Region3> where;
+  std::array<bool, components> fixed = {true, true, true};
+  std::string text;  ///< as the user wrote it, for messages
+};
+
+enum class FileSupports { used, ignored };
+
+/// The numbering of free degrees of freedom: those of a rank are contiguous, vertex by vertex.
+struct Dofs {
+  MPI_Comm comm = MPI_COMM_NULL;
+  Index total = 0;
+  Index first = 0;               ///< the first that this rank owns
+  int owned = 0;
+  int block = components;        ///< 3 where every vertex is wholly free or wholly fixed, else 1
+  std::vector<Index> numbers;    ///< 3 a local vertex: global number, or -1 where fixed
+  std::uint64_t checksum = 0;    ///< of what is fixed; the same on any number of ranks
+
+  Index number(int vertex, int component) const {
+    return numbers[static_cast<std::size_t>(components * vertex + component)];
+  }
+  bool fixed(int vertex, int component) const { return number(vertex, component) < 0; }
+};
+
+/// Throws InputError on all ranks for a set that does not exist (naming the nearest), a box without vertices, or when
+/// nothing is left free. *Collective*.
+Dofs number(const Mesh& mesh, const std::vector<Fixed>& supports, FileSupports file_supports);
+
+/// Rows of free degrees of freedom -> rows of owned vertices: 3 a vertex, zeros at fixed components.
+petsc::Tall to_vertices(const Mesh& mesh, const Dofs& dofs, const petsc::ConstTallRef& x);
+
+/// The other way: fixed components are left out.
+petsc::Tall from_vertices(const Mesh& mesh, const Dofs& dofs, const petsc::ConstTallRef& u);
+
+}  // namespace ritz::mesh

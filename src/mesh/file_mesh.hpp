@@ -1,0 +1,65 @@
+// A mesh as its file states it, before it is distributed: what every reader returns.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ritz/fem/cell.hpp"
+#include "ritz/fem/material.hpp"
+
+namespace ritz::mesh {
+
+using Index = std::int64_t;
+
+/// A part of the mesh with one material: a Gmsh physical volume, a Vega region, an Abaqus solid section.
+struct Region {
+  std::string name;
+  std::optional<fem::StVK> material;  ///< the file's own, in the file's units
+};
+
+/// A face of the boundary as the file lists it (a cell of dimension 2): its vertices, corners first.
+struct FaceCell {
+  fem::FaceType type;
+  std::array<Index, fem::max_face_vertices> vertices;
+};
+
+/// A named set of vertices. A set of cells (of any dimension) is the set of all their vertices, mid-edge ones too;
+/// a set of surface cells keeps its faces as well.
+struct NamedSet {
+  std::string name;
+  std::vector<Index> vertices;  ///< positions in FileMesh::points, ascending, no doubles
+  std::vector<FaceCell> faces;
+};
+
+/// Fixed components of some vertices, as the file itself states them (Abaqus *BOUNDARY).
+struct FileSupport {
+  std::vector<Index> vertices;
+  std::array<bool, 3> components;
+};
+
+/// All vertex numbers here are positions in `points` (0-based, the file's own order).
+struct FileMesh {
+  std::vector<std::array<double, 3>> points;  ///< in the file's units
+  std::vector<Index> vertex_ids;              ///< the file's own number of each vertex, one per point
+  std::vector<fem::CellType> cell_types;      ///< solid cells only, in the file's order
+  std::vector<Index> cell_ids;                ///< the file's own numbers
+  std::vector<Index> cell_offsets = {0};      ///< cell c has cell_vertices[cell_offsets[c] ... cell_offsets[c+1])
+  std::vector<Index> cell_vertices;           ///< in the order of fem/cell.hpp
+  std::vector<std::int32_t> cell_regions;     ///< position in `regions`
+  std::vector<Region> regions;
+  std::vector<NamedSet> sets;
+  std::vector<FileSupport> supports;
+};
+
+/// Reads a mesh file; the ending tells the format (.msh, .veg, .inp, .vtu).
+/// Serial. Throws InputError naming file and line (or the XML element), never anything else.
+FileMesh read_file(const std::filesystem::path& path);
+
+/// The vertices of a Vega .bou file (1-based numbers in the file), as positions 0-based, ascending.
+/// Throws InputError for a number that is not in 1 ... vertex_count.
+std::vector<Index> read_bou(const std::filesystem::path& path, Index vertex_count);
+
+}  // namespace ritz::mesh

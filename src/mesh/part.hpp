@@ -1,0 +1,47 @@
+// One rank's share of a mesh by file positions, before local numbers exist: what the file's distributor and the box
+// generator both make.
+#pragma once
+#include "ritz/mesh/mesh.hpp"
+
+namespace ritz::mesh {
+
+struct PartSet {
+  std::vector<Index> vertices;  ///< file positions of local vertices in the set
+  std::vector<CellFace> faces;  ///< boundary faces of owned cells; filled where the file lists faces
+  bool has_faces = false;       ///< the file lists faces (on some rank)
+};
+
+struct PartSupport {
+  std::vector<Index> vertices;
+  std::array<bool, 3> components;
+};
+
+struct Part {
+  /// Local vertices in ascending file position.
+  std::vector<Index> positions, ids;
+  std::vector<std::int32_t> owners, pieces;
+  std::vector<double> points;  ///< 3 a vertex
+
+  /// Local cells, owned ones first; vertices by file position.
+  Index owned_cells = 0;
+  std::vector<fem::CellType> types;
+  std::vector<Index> cell_vertices, numbers, cell_ids;
+  std::vector<std::int32_t> regions;
+  std::vector<CellFace> boundary;  ///< of owned cells
+  std::vector<PartSet> sets;       ///< in the order of Shared::set_names
+  std::vector<PartSupport> supports;
+};
+
+/// What all ranks know alike.
+struct Shared {
+  Index vertices_total = 0, cells_total = 0, dropped_vertices = 0;
+  std::vector<Region> regions;
+  std::vector<std::string> set_names;
+  int pieces = 1, components = 1;
+  std::vector<Joint> joints;
+};
+
+/// Numbers a part: owned vertices first, ghosts after, global numbers from the owners. *Collective*.
+Mesh number_part(MPI_Comm comm, Part part, Shared shared);
+
+}  // namespace ritz::mesh

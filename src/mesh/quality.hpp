@@ -1,0 +1,18 @@
+// What is wrong, or nearly wrong, with the cells of a mesh.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "ritz/mesh/mesh.hpp"
+
+namespace ritz::mesh {
+
+/// Throws InputError on all ranks when a cell has a Jacobian determinant <= 0; names the first such cell and how many
+/// there are. *Collective*.
+void refuse_inverted_cells(const Mesh& mesh);
+
+/// One sentence for each thing that a careful user would want to know: slivers under 1 degree, dropped vertices,
+/// several pieces. Same on all ranks. *Collective*.
+std::vector<std::string> warnings(const Mesh& mesh);
+
+}  // namespace ritz::mesh

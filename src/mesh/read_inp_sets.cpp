@@ -1,0 +1,133 @@
+// *NSET, *ELSET and *SURFACE.
+#include <algorithm>
+#include <functional>
+#include <set>
+#include <tuple>
+
+#include "ritz/mesh/read_inp_model.hpp"
+
+namespace ritz::mesh {
+namespace {
+
+bool is_number(std::string_view text) {
+  return !text.empty() && text.find_first_not_of("+-0123456789") == std::string_view::npos;
+}
+
+InpMember read_range(const Deck& deck, const Line& line) {
+  auto cursor = deck.cursor(line);
+  InpMember range{.first = 0, .last = 0, .step = 1, .place = line.place};
+  range.first = cursor.integer("the first number");
+  range.last = cursor.integer("the last number");
+  if (!cursor.line_ends()) range.step = cursor.integer("the step");
+  cursor.end_line();
+  if (range.first < 0 || range.last < range.first || range.step < 1) {
+    deck.fail(line.place, "GENERATE needs first <= last and a positive step");
+  }
+  return range;
+}
+
+template <class T>
+void append(std::vector<T>& to, const std::vector<T>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+template <class T, class Less>
+void keep_unique(std::vector<T>& values, Less less) {
+  std::sort(values.begin(), values.end(), less);
+  const auto same = [&](const T& a, const T& b) { return !less(a, b) && !less(b, a); };
+  values.erase(std::unique(values.begin(), values.end(), same), values.end());
+}
+
+// Copies the sets named inside another one, each once, so that sets of sets cannot grow without bound.
+void add_nested(InpSets& sets, std::size_t into, const std::set<std::size_t>& nested) {
+  auto& set = sets.sets[into];
+  for (const std::size_t other : nested) {
+    if (other == into) continue;
+    append(set.positions, sets.sets[other].positions);
+    append(set.members, sets.sets[other].members);
+    append(set.element_sets, sets.sets[other].element_sets);
+  }
+  keep_unique(set.positions, std::less<>());
+  keep_unique(set.element_sets, std::less<>());
+  keep_unique(set.members, [](const InpMember& a, const InpMember& b) {
+    return std::tie(a.first, a.last, a.step) < std::tie(b.first, b.last, b.step);
+  });
+}
+
+// Numbers, and names of sets that stand earlier in the file.
+void read_list(const Deck& deck, const Line& line, InpSet& set, const InpSets& sets, std::set<std::size_t>& nested) {
+  for (const auto& field : fields(line)) {
+    if (field.text.empty()) continue;
+    if (is_number(field.text)) {
+      const Index number = deck.cursor(field).integer("a number");
+      if (number < 0) deck.fail(field.place, "a set names the negative number " + std::to_string(number));
+      set.members.push_back({.first = number, .last = number, .step = 0, .place = field.place});
+      continue;
+    }
+    const auto* const other = sets.find(plain_name(field.text));
+    if (!other) deck.fail(field.place, "set '" + plain_name(field.text) + "' is not defined before this line");
+    nested.insert(static_cast<std::size_t>(other - sets.sets.data()));
+  }
+}
+
+void read_set(Deck& deck, const Keyword& keyword, InpSets& sets, std::size_t into) {
+  if (keyword.has("INSTANCE")) deck.fail(keyword.place, "sets of an instance are not supported; flatten the model");
+  const bool ranges = keyword.has("GENERATE");
+  std::set<std::size_t> nested;
+  while (const auto line = deck.next_data()) {
+    auto& set = sets.sets[into];
+    if (ranges)
+      set.members.push_back(read_range(deck, *line));
+    else
+      read_list(deck, *line, set, sets, nested);
+  }
+  if (!nested.empty()) add_nested(sets, into, nested);
+}
+
+}  // namespace
+
+const InpSet* InpSets::find(const std::string& name) const {
+  const auto found = index.find(upper(name));
+  return found != index.end() ? &sets[found->second] : nullptr;
+}
+
+std::size_t InpSets::made(const std::string& name) {
+  const auto [found, added] = index.try_emplace(upper(name), sets.size());
+  if (added) sets.push_back({.name = name, .positions = {}, .members = {}, .element_sets = {}});
+  return found->second;
+}
+
+void read_inp_nset(Deck& deck, const Keyword& keyword, InpModel& model) {
+  const auto set = model.node_sets.made(needed(deck, keyword, "NSET"));
+  if (const auto elements = keyword.value("ELSET")) {
+    if (!model.element_sets.find(*elements)) {
+      deck.fail(keyword.place, "element set '" + *elements + "' is not defined before this line");
+    }
+    model.node_sets.sets[set].element_sets.push_back(model.element_sets.made(*elements));
+  }
+  read_set(deck, keyword, model.node_sets, set);
+}
+
+void read_inp_elset(Deck& deck, const Keyword& keyword, InpModel& model) {
+  read_set(deck, keyword, model.element_sets, model.element_sets.made(needed(deck, keyword, "ELSET")));
+}
+
+void read_inp_surface(Deck& deck, const Keyword& keyword, InpModel& model) {
+  const auto type = upper(keyword.value("TYPE").value_or("ELEMENT"));
+  if (type != "ELEMENT" && type != "NODE") {
+    deck.fail(keyword.place, "a surface of type " + type + " is not supported; use ELEMENT or NODE");
+  }
+  InpSurface surface{.name = needed(deck, keyword, "NAME"),
+                     .type = type == "NODE" ? InpSurfaceType::node : InpSurfaceType::element,
+                     .entries = {}};
+  while (const auto line = deck.next_data()) {
+    const auto parts = fields(*line);
+    if (parts[0].text.empty()) deck.fail(line->place, "expected a set or a number");
+    surface.entries.push_back({.target = plain_name(parts[0].text),
+                               .label = parts.size() > 1 ? upper(parts[1].text) : std::string(),
+                               .place = line->place});
+  }
+  model.surfaces.push_back(std::move(surface));
+}
+
+}  // namespace ritz::mesh

@@ -1,0 +1,110 @@
+#include "ritz/mesh/read_listed.hpp"
+
+#include <algorithm>
+
+#include "ritz/mesh/read_sets.hpp"
+
+namespace ritz::mesh {
+namespace {
+
+std::string number(Index value) {
+  return std::to_string(value);
+}
+
+// The file's numbers in cell_vertices become positions.
+void number_vertices(const Sources& sources, const IdMap& vertices, ListedMesh& mesh) {
+  for (std::size_t c = 0; c < mesh.shapes.size(); ++c) {
+    const auto begin = mesh.cell_vertices.begin() + mesh.cell_offsets[c];
+    const auto end = mesh.cell_vertices.begin() + mesh.cell_offsets[c + 1];
+    for (auto v = begin; v != end; ++v) {
+      const Index position = vertices.find(*v);
+      if (position < 0) {
+        fail(sources, mesh.cell_places[c],
+             "cell " + number(mesh.cell_ids[c]) + " refers to vertex " + number(*v) + ", which the file does not list");
+      }
+      if (std::find(begin, v, position) != v) {
+        fail(sources, mesh.cell_places[c],
+             "cell " + number(mesh.cell_ids[c]) + " names vertex " + number(*v) + " twice");
+      }
+      *v = position;
+    }
+  }
+}
+
+void check_solids(const Sources& sources, const ListedMesh& mesh) {
+  const auto solid = [](Shape shape) { return traits(shape).dimension == 3; };
+  if (std::none_of(mesh.shapes.begin(), mesh.shapes.end(), solid)) {
+    fail(sources, "the mesh has no solid cells; ritz needs tetrahedra (4 or 10 vertices) or hexahedra (8 vertices)");
+  }
+}
+
+void take_solids(const ListedMesh& from, FileMesh& to) {
+  bool strays = false;
+  const auto stray_region = static_cast<std::int32_t>(from.regions.size());
+  for (std::size_t c = 0; c < from.shapes.size(); ++c) {
+    const auto type = traits(from.shapes[c]).cell;
+    if (!type) continue;
+    const auto vertices = from.vertices_of(static_cast<Index>(c));
+    to.cell_types.push_back(*type);
+    to.cell_ids.push_back(from.cell_ids[c]);
+    to.cell_vertices.insert(to.cell_vertices.end(), vertices.begin(), vertices.end());
+    to.cell_offsets.push_back(static_cast<Index>(to.cell_vertices.size()));
+    const bool stray = from.cell_regions[c] < 0;
+    to.cell_regions.push_back(stray ? stray_region : from.cell_regions[c]);
+    strays = strays || stray;
+  }
+  to.regions = from.regions;
+  if (strays) to.regions.push_back({.name = "default", .material = std::nullopt});
+}
+
+}  // namespace
+
+void add_vertex(ListedMesh& mesh, Index id, const std::array<double, 3>& point, Place place) {
+  mesh.points.push_back(point);
+  mesh.vertex_ids.push_back(id);
+  mesh.vertex_places.push_back(place);
+}
+
+void add_cell(ListedMesh& mesh, Shape shape, Index id, std::span<const Index> vertices, Place place) {
+  mesh.shapes.push_back(shape);
+  mesh.cell_ids.push_back(id);
+  mesh.cell_places.push_back(place);
+  mesh.cell_vertices.insert(mesh.cell_vertices.end(), vertices.begin(), vertices.end());
+  mesh.cell_offsets.push_back(static_cast<Index>(mesh.cell_vertices.size()));
+  mesh.cell_regions.push_back(-1);
+}
+
+Numbering numbering(const Sources& sources, const ListedMesh& mesh) {
+  if (mesh.points.empty()) fail(sources, "the file lists no vertices; is it a mesh?");
+  Numbering result{.vertices = IdMap(mesh.vertex_ids), .cells = IdMap(mesh.cell_ids)};
+  if (const auto twice = result.vertices.duplicate()) {
+    const auto v = static_cast<std::size_t>(*twice);
+    fail(sources, mesh.vertex_places[v], "vertex " + number(mesh.vertex_ids[v]) + " is listed twice");
+  }
+  if (const auto twice = result.cells.duplicate()) {
+    const auto c = static_cast<std::size_t>(*twice);
+    fail(sources, mesh.cell_places[c], "cell " + number(mesh.cell_ids[c]) + " is listed twice");
+  }
+  return result;
+}
+
+FileMesh finish(const Sources& sources, ListedMesh mesh) {
+  number_vertices(sources, numbering(sources, mesh).vertices, mesh);
+  check_solids(sources, mesh);
+  FileMesh result;
+  take_solids(mesh, result);
+  result.sets = gather_sets(mesh);
+  result.points = std::move(mesh.points);
+  result.vertex_ids = std::move(mesh.vertex_ids);
+  result.supports = std::move(mesh.supports);
+  return result;
+}
+
+fem::StVK checked(const Sources& sources, Place place, const fem::StVK& material) {
+  if (!(material.young > 0)) fail(sources, place, "Young's modulus must be positive");
+  if (!(material.poisson > -1 && material.poisson < 0.5)) fail(sources, place, "Poisson's ratio must be in (-1, 1/2)");
+  if (!(material.density > 0)) fail(sources, place, "the density must be positive");
+  return material;
+}
+
+}  // namespace ritz::mesh

@@ -1,0 +1,101 @@
+// A mesh as a reader gathers it, cells of every dimension with the file's own numbers, before it is checked.
+#pragma once
+#include <optional>
+#include <span>
+
+#include "ritz/mesh/file_mesh.hpp"
+#include "ritz/mesh/read_ids.hpp"
+#include "ritz/mesh/read_source.hpp"
+
+namespace ritz::mesh {
+
+enum class Shape : std::uint8_t { point, line2, line3, tri3, tri6, quad4, tet4, tet10, hex8 };
+
+struct ShapeTraits {
+  int dimension;
+  int vertices;
+  std::optional<fem::CellType> cell;  ///< dimension 3
+  std::optional<fem::FaceType> face;  ///< dimension 2
+};
+
+constexpr ShapeTraits traits(Shape shape) {
+  switch (shape) {
+    case Shape::point:
+      return {0, 1, {}, {}};
+    case Shape::line2:
+      return {1, 2, {}, {}};
+    case Shape::line3:
+      return {1, 3, {}, {}};
+    case Shape::tri3:
+      return {2, 3, {}, fem::FaceType::tri3};
+    case Shape::tri6:
+      return {2, 6, {}, fem::FaceType::tri6};
+    case Shape::quad4:
+      return {2, 4, {}, fem::FaceType::quad4};
+    case Shape::tet4:
+      return {3, 4, fem::CellType::tet4, {}};
+    case Shape::tet10:
+      return {3, 10, fem::CellType::tet10, {}};
+    case Shape::hex8:
+      return {3, 8, fem::CellType::hex8, {}};
+  }
+  return {};
+}
+
+/// Face `face` of a listed solid cell, in the order of fem/cell.hpp.
+struct CellFace {
+  Index cell;
+  int face;
+};
+
+/// What a file puts into a set. All numbers are positions in the ListedMesh.
+struct ListedSet {
+  std::string name;
+  std::vector<Index> vertices;
+  std::vector<Index> cells;
+  std::vector<CellFace> faces;
+};
+
+/// Cells name their vertices by the file's own numbers; sets and supports hold positions.
+struct ListedMesh {
+  std::vector<std::array<double, 3>> points;
+  std::vector<Index> vertex_ids;
+  std::vector<Place> vertex_places;
+  std::vector<Shape> shapes;
+  std::vector<Index> cell_ids;
+  std::vector<Place> cell_places;
+  std::vector<Index> cell_offsets = {0};
+  std::vector<Index> cell_vertices;
+  std::vector<std::int32_t> cell_regions;  ///< position in `regions`, or -1
+  std::vector<Region> regions;
+  std::vector<ListedSet> sets;
+  std::vector<FileSupport> supports;
+
+  std::span<const Index> vertices_of(Index cell) const {
+    const auto begin = cell_offsets[static_cast<std::size_t>(cell)];
+    const auto end = cell_offsets[static_cast<std::size_t>(cell) + 1];
+    return std::span(cell_vertices).subspan(static_cast<std::size_t>(begin), static_cast<std::size_t>(end - begin));
+  }
+};
+
+void add_vertex(ListedMesh& mesh, Index id, const std::array<double, 3>& point, Place place);
+/// `vertices` in the order of fem/cell.hpp.
+void add_cell(ListedMesh& mesh, Shape shape, Index id, std::span<const Index> vertices, Place place);
+
+/// From the file's own numbers to positions, of vertices and of cells.
+struct Numbering {
+  IdMap vertices;
+  IdMap cells;
+};
+
+/// Throws InputError when the file lists no vertices, or a number twice.
+Numbering numbering(const Sources& sources, const ListedMesh& mesh);
+
+/// The mesh, checked: every number once, every vertex of a cell present and not twice in it, at least one solid cell.
+/// Solid cells without a region go into one named "default"; empty sets are left out. Throws InputError.
+FileMesh finish(const Sources& sources, ListedMesh mesh);
+
+/// `material` if it can exist (young > 0, -1 < poisson < 1/2, density > 0), else an InputError at `place`.
+fem::StVK checked(const Sources& sources, Place place, const fem::StVK& material);
+
+}  // namespace ritz::mesh

@@ -1,0 +1,107 @@
+#include "ritz/mesh/read_msh.hpp"
+
+#include <optional>
+#include <sstream>
+
+#include "ritz/mesh/read_msh_versions.hpp"
+
+namespace ritz::mesh {
+namespace {
+
+enum class Version { v2, v4 };
+
+struct Section {
+  std::string name;
+  Place place;
+};
+
+// The next section, past its first line. What stands between sections is no one's.
+std::optional<Section> next_section(Cursor& cursor) {
+  while (!cursor.at_end()) {
+    const auto place = cursor.place();
+    const auto line = cursor.line();
+    if (line.starts_with('$')) return Section{.name = std::string(line.substr(1)), .place = place};
+  }
+  return std::nullopt;
+}
+
+void skip_section(const Sources& sources, Cursor& cursor, const Section& section) {
+  while (!cursor.at_end()) {
+    if (cursor.line() == "$End" + section.name) return;
+  }
+  fail(sources, section.place, "section $" + section.name + " has no end; the file is truncated");
+}
+
+// $MeshFormat: "4.1 0 8", and in binary files the number one.
+Version read_format(Sources& sources, unsigned file, MshInput& input) {
+  auto& cursor = input.cursor;
+  cursor.skip_space();
+  const auto here = cursor;
+  const double version = cursor.real("the version of the format");
+  const Index binary = cursor.integer("0 for text or 1 for binary");
+  const Index size = cursor.integer("the size of a number");
+  if (version != 2.2 && version != 4.1) {
+    std::ostringstream number;
+    number << version;
+    here.fail("version " + number.str() + " of the Gmsh format is not supported; save the mesh as version 4.1 or 2.2");
+  }
+  if (binary != 0 && binary != 1) here.fail("expected 0 (text) or 1 (binary) after the version");
+  if (size != 8) here.fail("numbers of " + std::to_string(size) + " bytes are not supported, only of 8");
+  cursor.end_line();
+  if (binary == 1) {
+    cursor.line();
+    sources[file].counting = Counting::bytes;
+    input.encoding = MshEncoding::binary;
+    const auto order = input;
+    if (input.integer("the byte order") != 1) order.fail("written in another byte order; save it as text");
+  }
+  return version == 4.1 ? Version::v4 : Version::v2;
+}
+
+void read_section(const Sources& sources, MshFile& msh, Version version, const Section& section) {
+  const auto& name = section.name;
+  const auto is = [&](const char* section, Version its) { return name == section && version == its; };
+  if (name == "PhysicalNames")
+    read_physical_names(msh.input, msh.groups);
+  else if (is("Nodes", Version::v2))
+    read_msh2_nodes(msh);
+  else if (is("ParametricNodes", Version::v2))
+    read_msh2_parametric_nodes(msh);
+  else if (is("Elements", Version::v2))
+    read_msh2_elements(msh);
+  else if (is("Entities", Version::v4))
+    read_msh4_entities(msh);
+  else if (is("PartitionedEntities", Version::v4))
+    read_msh4_partitioned_entities(msh);
+  else if (is("Nodes", Version::v4))
+    read_msh4_nodes(msh);
+  else if (is("Elements", Version::v4))
+    read_msh4_elements(msh);
+  else
+    skip_section(sources, msh.input.cursor, section);
+}
+
+}  // namespace
+
+FileMesh read_msh(Sources& sources, unsigned file) {
+  MshFile msh{.input = {.cursor = Cursor(sources, file)}, .mesh = {}, .groups = {}, .entities = {}};
+  auto& cursor = msh.input.cursor;
+  std::optional<Version> version;
+  while (const auto section = next_section(cursor)) {
+    if (section->name == "MeshFormat") {
+      version = read_format(sources, file, msh.input);
+      msh.input.close_section("MeshFormat");
+    } else if (section->name == "Comments") {
+      skip_section(sources, cursor, *section);
+    } else if (version) {
+      read_section(sources, msh, *version, *section);
+    } else {
+      fail(sources, section->place, "expected $MeshFormat first; is this a Gmsh mesh of version 2.2 or 4.1?");
+    }
+  }
+  if (!version) fail(sources, "the file has no $MeshFormat; it is not a Gmsh mesh of version 2.2 or 4.1");
+  name_groups(msh.groups, msh.mesh);
+  return finish(sources, std::move(msh.mesh));
+}
+
+}  // namespace ritz::mesh

@@ -1,0 +1,68 @@
+#include "ritz/mesh/read_sets.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace ritz::mesh {
+namespace {
+
+FaceCell face_cell(fem::FaceType type, std::span<const Index> vertices) {
+  FaceCell face{.type = type, .vertices = {}};
+  std::copy(vertices.begin(), vertices.end(), face.vertices.begin());
+  return face;
+}
+
+FaceCell face_of(const ListedMesh& mesh, const CellFace& where) {
+  const auto type = *traits(mesh.shapes[static_cast<std::size_t>(where.cell)]).cell;
+  const auto cell = mesh.vertices_of(where.cell);
+  std::vector<Index> vertices;
+  for (const int local : fem::face_vertices(type, where.face)) {
+    vertices.push_back(cell[static_cast<std::size_t>(local)]);
+  }
+  return face_cell(fem::shape(type).face, vertices);
+}
+
+// Each face once, also when two parts of a union list it.
+std::vector<FaceCell> faces_of(const ListedMesh& mesh, const ListedSet& set) {
+  std::vector<FaceCell> faces;
+  std::set<std::vector<Index>> seen;
+  const auto add = [&](const FaceCell& face) {
+    std::vector<Index> key(face.vertices.begin(), face.vertices.begin() + fem::shape(face.type).vertices);
+    std::sort(key.begin(), key.end());
+    if (seen.insert(key).second) faces.push_back(face);
+  };
+  for (const Index cell : set.cells) {
+    const auto type = traits(mesh.shapes[static_cast<std::size_t>(cell)]).face;
+    if (type) add(face_cell(*type, mesh.vertices_of(cell)));
+  }
+  for (const auto& face : set.faces) add(face_of(mesh, face));
+  return faces;
+}
+
+}  // namespace
+
+std::vector<NamedSet> gather_sets(const ListedMesh& mesh) {
+  std::vector<NamedSet> sets;
+  std::vector<std::size_t> last_set(mesh.points.size(), 0);  // 1 + the last set that took this vertex
+  for (std::size_t s = 0; s < mesh.sets.size(); ++s) {
+    const auto& listed = mesh.sets[s];
+    NamedSet set{.name = listed.name, .vertices = {}, .faces = faces_of(mesh, listed)};
+    const auto add = [&](Index vertex) {
+      auto& last = last_set[static_cast<std::size_t>(vertex)];
+      if (last != s + 1) set.vertices.push_back(vertex);
+      last = s + 1;
+    };
+    for (const Index vertex : listed.vertices) add(vertex);
+    for (const Index cell : listed.cells) {
+      for (const Index vertex : mesh.vertices_of(cell)) add(vertex);
+    }
+    for (const auto& face : set.faces) {
+      for (int i = 0; i < fem::shape(face.type).vertices; ++i) add(face.vertices[static_cast<std::size_t>(i)]);
+    }
+    std::sort(set.vertices.begin(), set.vertices.end());
+    if (!set.vertices.empty()) sets.push_back(std::move(set));
+  }
+  return sets;
+}
+
+}  // namespace ritz::mesh

@@ -1,0 +1,37 @@
+// A VTK XML file as a document, and its DataArrays as numbers.
+#pragma once
+#include <optional>
+#include <pugixml.hpp>
+#include <vector>
+
+#include "ritz/mesh/read_vtu_bytes.hpp"
+
+namespace ritz::mesh {
+
+struct VtuFile {
+  const Sources& sources;
+  unsigned file;
+  pugi::xml_document document;
+  VtuBlocks blocks = {};
+  std::optional<VtuText> appended = std::nullopt;  ///< what the offsets of appended arrays count from
+
+  Place place(const pugi::xml_node& node) const;
+  [[noreturn]] void fail(const pugi::xml_node& node, const std::string& message) const;
+};
+
+/// Parses the XML (not the data that is appended raw) and checks the header. Throws InputError.
+VtuFile open_vtu(const Sources& sources, unsigned file);
+
+/// The attribute as a number >= 0, or `otherwise` when it is absent. Throws InputError.
+Index attribute(const VtuFile& vtu, const pugi::xml_node& node, const char* name, std::optional<Index> otherwise = {});
+
+/// Is the array's type one of the (8-bit) integers?
+bool is_integer(const pugi::xml_node& array);
+bool is_byte(const pugi::xml_node& array);
+
+/// The numbers of a DataArray. Throws InputError unless there are exactly `count` of them, finite ones.
+std::vector<double> reals(const VtuFile& vtu, const pugi::xml_node& array, Index count);
+/// The same for integers. Throws InputError for an array of floating-point type.
+std::vector<Index> integers(const VtuFile& vtu, const pugi::xml_node& array, Index count);
+
+}  // namespace ritz::mesh

@@ -1,0 +1,121 @@
+#include "ritz/mesh/read_vtu_bytes.hpp"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+namespace ritz::mesh {
+namespace {
+
+constexpr std::uint64_t most_zlib_can_pack = 1040;  // bytes out of one compressed byte
+
+constexpr auto base64_values = [] {
+  constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::array<std::int8_t, 256> values{};
+  values.fill(-1);
+  for (std::size_t i = 0; i < alphabet.size(); ++i) {
+    values[static_cast<unsigned char>(alphabet[i])] = static_cast<std::int8_t>(i);
+  }
+  return values;
+}();
+
+bool blank(char c) {
+  return c == ' ' || c == '\n' || c == '\r' || c == '\t';
+}
+
+/// Hands out bytes in order. Base64 is decoded four characters at a time, so that a padded header may come first.
+class ByteStream {
+ public:
+  ByteStream(const Sources& sources, const VtuText& data) : sources_(sources), data_(data) {
+    while (data_.encoding == VtuEncoding::base64 && !data_.text.empty() && blank(data_.text.front())) {
+      data_.text.remove_prefix(1);
+    }
+  }
+
+  std::string take(std::uint64_t count) {
+    if (count > most()) fail("the binary data is cut off");
+    if (data_.encoding == VtuEncoding::raw) {
+      std::string bytes(data_.text.substr(0, count));
+      data_.text.remove_prefix(count);
+      return bytes;
+    }
+    std::string bytes = std::move(left_);
+    bytes.reserve(count + 3);
+    while (bytes.size() < count) decode_quad(bytes);
+    left_ = bytes.substr(count);
+    bytes.resize(count);
+    return bytes;
+  }
+
+  std::uint64_t number(std::size_t size) {
+    std::uint64_t value = 0;
+    std::memcpy(&value, take(size).data(), size);
+    return value;
+  }
+
+  std::uint64_t most() const {
+    const auto text = data_.text.size();
+    return left_.size() + (data_.encoding == VtuEncoding::raw ? text : text / 4 * 3);
+  }
+
+  [[noreturn]] void fail(const std::string& message) const { mesh::fail(sources_, data_.place, message); }
+
+ private:
+  void decode_quad(std::string& bytes) {
+    while (!data_.text.empty() && blank(data_.text.front())) data_.text.remove_prefix(1);
+    if (data_.text.size() < 4) fail("the binary data is cut off");
+    std::uint32_t bits = 0;
+    int characters = 0;
+    for (int i = 0; i < 4; ++i) {
+      const char c = data_.text[static_cast<std::size_t>(i)];
+      const int value = c == '=' && i >= 2 ? 0 : base64_values[static_cast<unsigned char>(c)];
+      if (value < 0) fail("the binary data is not base64");
+      bits = bits << 6 | static_cast<std::uint32_t>(value);
+      if (c != '=') characters = i + 1;
+    }
+    data_.text.remove_prefix(4);
+    for (int i = 0; i + 1 < characters; ++i) bytes.push_back(static_cast<char>(bits >> (16 - 8 * i) & 0xff));
+  }
+
+  const Sources& sources_;
+  VtuText data_;
+  std::string left_;
+};
+
+// Header: number of blocks, size of a block, size of the last one if it is shorter (else 0), compressed sizes.
+std::string decompress(ByteStream& stream, std::size_t header_size) {
+  const auto count = stream.number(header_size);
+  const auto size = stream.number(header_size);
+  const auto last_size = stream.number(header_size);
+  if (count > stream.most() / header_size) stream.fail("the compressed data states more blocks than there can be");
+  if (last_size > size) stream.fail("the compressed data states a wrong block size");
+  std::vector<std::uint64_t> packed(count);
+  for (auto& bytes : packed) bytes = stream.number(header_size);
+  std::string result;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto block = stream.take(packed[i]);
+    const auto wanted = i + 1 == count && last_size > 0 ? last_size : size;
+    if (wanted > block.size() * most_zlib_can_pack) stream.fail("the compressed data states a wrong block size");
+    std::string plain(wanted, '\0');
+    uLongf length = wanted;
+    const auto* const from = reinterpret_cast<const Bytef*>(block.data());
+    const int code = uncompress(reinterpret_cast<Bytef*>(plain.data()), &length, from, block.size());
+    if (code != Z_OK || length != wanted) stream.fail("the compressed data is corrupt");
+    result += plain;
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string decode(const Sources& sources, const VtuText& data, const VtuBlocks& blocks) {
+  ByteStream stream(sources, data);
+  if (blocks.compression == VtuCompression::zlib) return decompress(stream, blocks.header_size);
+  return stream.take(stream.number(blocks.header_size));
+}
+
+}  // namespace ritz::mesh

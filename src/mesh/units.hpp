@@ -1,0 +1,25 @@
+// Unit systems of mesh files; everything inside ritz is SI.
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "ritz/fem/material.hpp"
+
+namespace ritz::mesh {
+
+/// One unit of each, in SI.
+struct Units {
+  std::string name = "m-kg-s";
+  double length = 1;
+  double mass = 1;
+  double time = 1;
+
+  double pressure() const { return mass / (length * time * time); }
+  double density() const { return mass / (length * length * length); }
+  fem::StVK to_si(fem::StVK m) const { return {m.young * pressure(), m.poisson, m.density * density()}; }
+};
+
+/// "m-kg-s", "mm-t-s", "um-kg-s", "mm-kg-ms", "cm-g-s", ...: length-mass-time. Throws InputError for another word.
+Units parse_units(std::string_view text);
+
+}  // namespace ritz::mesh

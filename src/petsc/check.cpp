@@ -1,0 +1,40 @@
+#include "ritz/petsc/check.hpp"
+
+#include <string>
+
+#include "ritz/base/error.hpp"
+
+namespace ritz::petsc {
+namespace {
+
+/// PETSc reports an error through a callback before it returns the code: the first message of a chain is the cause.
+std::string& last_message() {
+  static std::string message;
+  return message;
+}
+
+PetscErrorCode keep(MPI_Comm, int, const char* function, const char*, PetscErrorCode code, PetscErrorType type,
+                    const char* message, void*) {
+  if (type == PETSC_ERROR_INITIAL) last_message() = std::string(message ? message : "error") + " (in " + function + ")";
+  return code;
+}
+
+}  // namespace
+
+void keep_messages() { PetscPushErrorHandler(keep, nullptr); }
+
+bool succeeds(PetscErrorCode code) {
+  if (code == 0) return true;
+  last_message().clear();
+  return false;
+}
+
+void check(PetscErrorCode code, std::source_location where) {
+  if (code == 0) return;
+  std::string message = last_message().empty() ? "error " + std::to_string(code) : last_message();
+  last_message().clear();
+  if (code == PETSC_ERR_MEM) message = "memory ran out: " + message;
+  throw NumericalError("PETSc: " + message + ", called from " + where.function_name());
+}
+
+}  // namespace ritz::petsc

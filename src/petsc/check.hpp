@@ -1,0 +1,18 @@
+// PETSc's error codes as exceptions.
+#pragma once
+#include <petscsys.h>
+
+#include <source_location>
+
+namespace ritz::petsc {
+
+/// Throws NumericalError with PETSc's own message when `code` is an error.
+void check(PetscErrorCode code, std::source_location where = std::source_location::current());
+
+/// Installs the handler that keeps PETSc's message for `check` in place of printing a stack trace.
+void keep_messages();
+
+/// Runs a call whose failure is expected and only of interest as yes or no.
+bool succeeds(PetscErrorCode code);
+
+}  // namespace ritz::petsc

@@ -1,0 +1,28 @@
+// Sparse matrices built from rows that this rank has counted itself.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "ritz/petsc/handle.hpp"
+
+namespace ritz::petsc {
+
+/// This rank's rows in compressed form; columns are global and ascend within a row.
+struct Csr {
+  std::vector<PetscInt> starts = {0};
+  std::vector<PetscInt> columns;
+  std::vector<PetscScalar> values;
+};
+
+enum class Definite { semi, positive };
+
+/// A symmetric square matrix with `block` rows a vertex. *Collective*.
+Matrix symmetric_matrix(MPI_Comm comm, const Csr& rows, PetscInt block, Definite definite);
+
+/// The 3 x 3 identity, whole on rank 0: enough for a solver to be set up and so to read its options. *Collective*.
+Matrix tiny_identity(MPI_Comm comm);
+
+/// Shares of memory for the summary: bytes of all non-zeros on this rank.
+double stored_bytes(Mat A);
+
+}  // namespace ritz::petsc

@@ -1,0 +1,125 @@
+#include "ritz/petsc/factorization.hpp"
+
+#include <algorithm>
+
+#include "ritz/base/error.hpp"
+#include "ritz/parallel/comm.hpp"
+#include "ritz/petsc/check.hpp"
+
+namespace ritz::petsc {
+namespace {
+
+constexpr PetscInt workspace_margin = 14;     // MUMPS ICNTL(14), percent
+constexpr PetscInt parallel_root = 13;        // ICNTL(13): a ScaLAPACK root hides its pivots' signs
+constexpr PetscInt columns_at_once = 27;      // ICNTL(27)
+constexpr int widest_block = 64;
+
+Mat factor_matrix(KSP ksp) {
+  PC pc = nullptr;
+  Mat F = nullptr;
+  check(KSPGetPC(ksp, &pc));
+  check(PCFactorGetMatrix(pc, &F));
+  return F;
+}
+
+bool is_mumps(Mat F) {
+  MatSolverType type = nullptr;
+  check(MatFactorGetSolverType(F, &type));
+  return std::string(type) == MATSOLVERMUMPS;
+}
+
+}  // namespace
+
+Factorization::Factorization(MPI_Comm comm, const std::string& prefix) : comm_(comm) {
+  PC pc = nullptr;
+  check(KSPCreate(comm, ksp_.out()));
+  check(KSPSetOptionsPrefix(ksp_, prefix.c_str()));
+  check(KSPSetType(ksp_, KSPPREONLY));
+  check(KSPGetPC(ksp_, &pc));
+  check(PCSetType(pc, PCCHOLESKY));
+  check(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
+  check(KSPSetFromOptions(ksp_));
+}
+
+Mat Factorization::prepared() {
+  PC pc = nullptr;
+  const char* prefix = nullptr;
+  check(KSPGetOptionsPrefix(ksp_, &prefix));
+  check(MatSetOptionsPrefixFactor(shifted_, prefix));
+  check(KSPSetOperators(ksp_, shifted_, shifted_));
+  check(KSPGetPC(ksp_, &pc));
+  check(PCFactorSetUpMatSolverType(pc));
+  Mat F = factor_matrix(ksp_);
+  if (!is_mumps(F)) return F;
+  check(MatMumpsSetIcntl(F, parallel_root, 1));
+  check(MatMumpsSetIcntl(F, columns_at_once, -widest_block));
+  if (margin_ > 0) check(MatMumpsSetIcntl(F, workspace_margin, margin_));
+  return F;
+}
+
+FactorEstimate Factorization::analyse(Mat K) {
+  check(MatDuplicate(K, MAT_COPY_VALUES, shifted_.out()));
+  Mat F = prepared();
+  FactorEstimate estimate;
+  if (!is_mumps(F)) return estimate;
+  MatFactorInfo info;
+  check(MatFactorInfoInitialize(&info));
+  check(MatCholeskyFactorSymbolic(F, shifted_, nullptr, &info));
+  PetscInt largest = 0, total = 0, entries = 0;
+  check(MatMumpsGetInfog(F, 20, &entries));
+  estimate.entries = entries < 0 ? -1e6 * entries : entries;  // MUMPS counts in millions by negative numbers
+  check(MatMumpsGetRinfog(F, 1, &estimate.flops));
+  check(MatMumpsGetInfog(F, 16, &largest));
+  check(MatMumpsGetInfog(F, 17, &total));
+  estimate.memory_rank = 1e6 * largest;
+  estimate.memory_total = 1e6 * total;
+  return estimate;
+}
+
+void Factorization::factor(Mat K, Mat M, double sigma) {
+  // The same matrix object all the time: PETSc then keeps the analysis.
+  if (!shifted_) check(MatDuplicate(K, MAT_COPY_VALUES, shifted_.out()));
+  else check(MatCopy(K, shifted_, SAME_NONZERO_PATTERN));
+  if (sigma != 0) check(MatAXPY(shifted_, -sigma, M, SUBSET_NONZERO_PATTERN));
+  const std::string what = sigma == 0 ? std::string("K") : "K - sigma M, sigma " + std::to_string(sigma);
+  for (int attempt = 0;; ++attempt) {
+    Mat F = prepared();
+    MatFactorError error = MAT_FACTOR_NOERROR;
+    check(KSPSetUp(ksp_));
+    check(MatFactorGetError(F, &error));
+    if (error == MAT_FACTOR_NOERROR) return;
+    PetscInt code = 0;
+    if (is_mumps(F)) check(MatMumpsGetInfog(F, 1, &code));
+    if (code == -13 || code == -19)
+      throw NumericalError("memory ran out in the factorization of " + what + "; use -solver iterative, or more machines");
+    const bool wants_workspace = code == -8 || code == -9 || code == -17 || code == -20;
+    if (!wants_workspace || attempt == 4)
+      throw NumericalError("the factorization of " + what + " failed (MUMPS error " + std::to_string(code) +
+                           "); is the body held as it should be?");
+    margin_ = std::max<PetscInt>(40, 2 * margin_);
+    PC pc = nullptr;
+    check(KSPGetPC(ksp_, &pc));
+    check(PCReset(pc));
+  }
+}
+
+void Factorization::solve(const ConstTallRef& b, TallRef x) const {
+  Mat F = factor_matrix(ksp_);
+  Tall copy = b;
+  for (Eigen::Index first = 0; first < b.cols(); first += widest_block) {
+    const auto columns = std::min<Eigen::Index>(widest_block, b.cols() - first);
+    const Matrix from = as_dense(comm_, copy.middleCols(first, columns));
+    const Matrix to = as_dense(comm_, x.middleCols(first, columns));
+    check(MatMatSolve(F, from, to));
+  }
+}
+
+std::int64_t Factorization::negative_pivots() const {
+  Mat F = factor_matrix(ksp_);
+  PetscInt negative = 0;
+  if (is_mumps(F)) check(MatMumpsGetInfog(F, 12, &negative));
+  else check(MatGetInertia(F, &negative, nullptr, nullptr));
+  return negative;
+}
+
+}  // namespace ritz::petsc

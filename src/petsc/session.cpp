@@ -1,0 +1,82 @@
+#include "ritz/petsc/session.hpp"
+
+#include <dlfcn.h>
+#include <slepceps.h>
+
+#include <cstdlib>
+#include <map>
+
+#include "ritz/petsc/check.hpp"
+
+namespace ritz::petsc {
+namespace {
+
+/// The arguments that PETSc's start should see.
+std::vector<std::string> for_petsc(int argc, char** argv) {
+  std::vector<std::string> words;
+  for (int i = 0; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "-options_file" || word == "-options_file_yaml") {
+      ++i;
+      continue;
+    }
+    if (word != "-help" && word != "--help" && word != "-h") words.push_back(word);
+  }
+  return words;
+}
+
+template <class Function>
+Function symbol(const char* name) {
+  return reinterpret_cast<Function>(dlsym(RTLD_DEFAULT, name));
+}
+
+}  // namespace
+
+Session::Session(int argc, char** argv) : words_(for_petsc(argc, argv)) {
+  for (auto& word : words_) pointers_.push_back(word.data());
+  pointers_.push_back(nullptr);
+  int count = static_cast<int>(words_.size());
+  char** list = pointers_.data();
+  if (SlepcInitialize(&count, &list, nullptr, nullptr) != 0) std::exit(1);
+  PetscPopSignalHandler();
+  keep_messages();
+  limit_blas_threads();
+}
+
+Session::~Session() {
+  PetscOptionsSetValue(nullptr, "-options_left", "no");
+  SlepcFinalize();
+}
+
+std::string loaded_blas() {
+  if (const auto config = symbol<char* (*)()>("openblas_get_config")) return config();
+  return "unknown (the reference BLAS is several times slower than OpenBLAS)";
+}
+
+bool blas_is_openblas() { return symbol<void*>("openblas_get_config") != nullptr; }
+
+void limit_blas_threads() {
+  if (std::getenv("OPENBLAS_NUM_THREADS") || std::getenv("OMP_NUM_THREADS")) return;
+  if (const auto set = symbol<void (*)(int)>("openblas_set_num_threads")) set(1);
+}
+
+std::vector<std::pair<std::string, std::string>> library_versions() {
+  char petsc[256] = "", slepc[256] = "", mpi[MPI_MAX_LIBRARY_VERSION_STRING] = "";
+  int length = 0;
+  check(PetscGetVersion(petsc, sizeof petsc));
+  check(SlepcGetVersion(slepc, sizeof slepc));
+  MPI_Get_library_version(mpi, &length);
+  const auto first_line = [](std::string s) { return s.substr(0, s.find_first_of(",\n")); };
+  return {{"PETSc", first_line(petsc)}, {"SLEPc", first_line(slepc)}, {"MPI", first_line(mpi)}, {"BLAS", loaded_blas()}};
+}
+
+LogStage::LogStage(const std::string& name) {
+  PetscLogStage stage = -1;
+  check(PetscLogStageGetId(name.c_str(), &stage));
+  if (stage < 0) check(PetscLogStageRegister(name.c_str(), &stage));
+  check(PetscLogStagePush(stage));
+}
+
+LogStage::~LogStage() { PetscLogStagePop(); }
+
+}  // namespace ritz::petsc

@@ -1,0 +1,45 @@
+// The life of MPI, PETSc and SLEPc: the first local of main, so that it outlives every handle.
+#pragma once
+#include <mpi.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ritz::petsc {
+
+class Session {
+ public:
+  /// Starts MPI, PETSc and SLEPc with the command line, less -help and -options_file, which the caller reads.
+  Session(int argc, char** argv);
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  MPI_Comm comm() const { return MPI_COMM_WORLD; }
+
+ private:
+  std::vector<std::string> words_;
+  std::vector<char*> pointers_;
+};
+
+/// Name and version of each library that a result depends on.
+std::vector<std::pair<std::string, std::string>> library_versions();
+
+/// The BLAS that is loaded: "OpenBLAS 0.3.21 ..." or "unknown (the reference BLAS is several times slower)".
+std::string loaded_blas();
+bool blas_is_openblas();
+
+/// One BLAS thread a rank, unless OPENBLAS_NUM_THREADS or OMP_NUM_THREADS says otherwise.
+void limit_blas_threads();
+
+/// A named stage of -log_view while it lives.
+class LogStage {
+ public:
+  explicit LogStage(const std::string& name);
+  ~LogStage();
+  LogStage(const LogStage&) = delete;
+  LogStage& operator=(const LogStage&) = delete;
+};
+
+}  // namespace ritz::petsc

@@ -1,0 +1,49 @@
+#include "ritz/petsc/speed.hpp"
+
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+#include <vector>
+
+namespace ritz::petsc {
+namespace {
+
+constexpr double typical_rate = 2e10;  ///< where no BLAS can be asked
+
+template <class Work>
+double best_seconds(Work work) {
+  double best = 1e300;
+  for (int repetition = 0; repetition < 3; ++repetition) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  }
+  return best;
+}
+
+}  // namespace
+
+double dgemm_rate() {
+  using Dgemm = void(const char*, const char*, const int*, const int*, const int*, const double*, const double*,
+                     const int*, const double*, const int*, const double*, double*, const int*);
+  const auto dgemm = reinterpret_cast<Dgemm*>(dlsym(RTLD_DEFAULT, "dgemm_"));
+  if (!dgemm) return typical_rate;
+  const int n = 512;
+  const double one = 1, zero = 0;
+  const std::vector<double> a(static_cast<std::size_t>(n) * n, 1.0), b(a);
+  std::vector<double> c(a.size());
+  const double seconds =
+      best_seconds([&] { dgemm("N", "N", &n, &n, &n, &one, a.data(), &n, b.data(), &n, &zero, c.data(), &n); });
+  return 2.0 * n * n * n / seconds;
+}
+
+double memory_rate() {
+  const std::vector<double> values(8'000'000, 1.0);
+  volatile double sum = 0;
+  const double seconds = best_seconds([&] { sum = std::reduce(values.begin(), values.end()); });
+  return 8.0 * static_cast<double>(values.size()) / seconds;
+}
+
+}  // namespace ritz::petsc

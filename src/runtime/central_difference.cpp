@@ -1,0 +1,27 @@
+// Newmark's method with β = 0, γ = ½ is the central difference with velocities at whole steps.
+#include <cmath>
+#include <string>
+
+#include "newmark_family.hpp"
+#include "ritz/base/error.hpp"
+#include "ritz/runtime/integrators.hpp"
+
+namespace ritz::runtime {
+namespace {
+
+ModeStep rule(double stiffness, double damping, double dt) {
+  const double omega = std::sqrt(stiffness);
+  if (omega * dt > 2)
+    throw InputError("central-difference with a step of " + std::to_string(dt) + " s is unstable for the mode of " +
+                     std::to_string(omega / (2 * M_PI)) + " Hz: choose a step of at most " + std::to_string(2 / omega) +
+                     " s or another integrator");
+  return family_step({.beta = 0, .gamma = 0.5}, stiffness, damping, dt);
+}
+
+}  // namespace
+
+Integrator central_difference() {
+  return {"central-difference", History::acceleration, rule, rule};
+}
+
+}  // namespace ritz::runtime

@@ -1,0 +1,17 @@
+#include "newmark_family.hpp"
+#include "ritz/runtime/integrators.hpp"
+
+namespace ritz::runtime {
+namespace {
+
+ModeStep rule(double stiffness, double damping, double dt) {
+  return family_step({.beta = 0.25, .gamma = 0.5}, stiffness, damping, dt);
+}
+
+}  // namespace
+
+Integrator newmark() {
+  return {"newmark", History::acceleration, rule, rule};
+}
+
+}  // namespace ritz::runtime

@@ -1,0 +1,17 @@
+// The generalized-α family, which contains Newmark's methods and central differences.
+#pragma once
+#include "ritz/runtime/integrator.hpp"
+
+namespace ritz::runtime {
+
+/// m(z'') + d m'(z') + λ m'(z) = m'(f), with m(x) = (1 - α_m) x_{n+1} + α_m x_n and m' likewise with α_f;
+/// z_{n+1} = z + Δt z' + Δt² [(½ - β) z'' + β z''_{n+1}],  z'_{n+1} = z' + Δt [(1 - γ) z'' + γ z''_{n+1}].
+struct NewmarkFamily {
+  double beta, gamma;
+  double alpha_m = 0, alpha_f = 0;
+};
+
+/// One step of y = [z, z', z''].
+ModeStep family_step(const NewmarkFamily& method, double stiffness, double damping, double dt);
+
+}  // namespace ritz::runtime

@@ -1,0 +1,188 @@
+#include "ritz/stages/block_lanczos.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+
+#include "ritz/petsc/check.hpp"
+
+namespace ritz::stages {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+constexpr double well_conditioned = 1e-4;  ///< of a block's Cholesky factor, so that one normalisation is enough
+
+MPI_Comm comm_of(Mat M) { return PetscObjectComm(reinterpret_cast<PetscObject>(M)); }
+
+/// The M-complement's dimension.
+Index dimension(Mat M, Index locked) {
+  PetscInt total = 0;
+  petsc::check(MatGetSize(M, &total, nullptr));
+  return static_cast<Index>(total) - locked;
+}
+
+/// The growing basis V, T = Vᵀ M Op V, and the pending block that Op has not seen yet. Columns of `basis_`: the locked
+/// ones, then V, then the pending block.
+class Krylov {
+ public:
+  Krylov(Mat M, const Operator& op, const petsc::ConstTallRef& locked, const petsc::ConstTallRef& start,
+         const LanczosOptions& options)
+      : M_(M), op_(op), start_(start), space_(dimension(M, locked.cols())), locked_(locked.cols()),
+        block_(options.block), capacity_(std::min<Index>(options.columns, space_)),
+        basis_(start.rows(), locked_ + capacity_ + block_), T_(MatrixXd::Zero(capacity_ + block_, capacity_ + block_)) {
+    basis_.leftCols(locked_) = locked;
+    append_carefully(next_start(block_), std::min(block_, space_));
+  }
+
+  bool exhausted() const { return pending_ == 0; }
+  bool full() const { return done_ + pending_ > capacity_; }
+  Index size() const { return done_; }
+
+  /// Applies Op to the pending block and orthogonalises the result into the next one.
+  void extend() {
+    const Index first = done_, width = pending_;
+    petsc::Tall w(basis_.rows(), width);
+    op_(mv_, w);
+    done_ += width;
+    MatrixXd h = MatrixXd::Zero(locked_ + done_, width);
+    const auto known = basis_.leftCols(locked_ + done_);
+    for (int pass = 0; pass < 2; ++pass) {
+      const MatrixXd part = petsc::inner(comm_of(M_), known, petsc::multiply(M_, w));
+      w.noalias() -= known * part;
+      h += part;
+    }
+    T_.block(0, first, done_, width) = h.bottomRows(done_);
+    T_.block(first, 0, width, done_) = h.bottomRows(done_).transpose();
+    T_.block(first, first, width, width) = (h.bottomRows(width) + h.bottomRows(width).transpose()) / 2;
+    mv_ = petsc::multiply(M_, w);
+    append(w);
+  }
+
+  /// Ritz pairs of T in descending θ; residual j is ‖Op y_j − θ_j y_j‖_M.
+  void ritz() {
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(T_.topLeftCorner(done_, done_));
+    theta_ = eigen.eigenvalues().reverse();
+    Y_ = eigen.eigenvectors().rowwise().reverse();
+    residuals_ = Eigen::VectorXd::Zero(done_);
+    if (pending_ > 0) residuals_ = (coupling_ * Y_.bottomRows(coupling_.cols())).colwise().norm().transpose();
+  }
+
+  int converged(Index wanted, double tolerance) const {
+    Index count = 0;
+    while (count < std::min(wanted, done_) && residuals_[count] <= tolerance * std::abs(theta_[count])) ++count;
+    return static_cast<int>(count);
+  }
+
+  /// Keeps `count` Ritz vectors and the pending block.
+  void restart(Index count) {
+    const petsc::Tall kept = V().leftCols(done_) * Y_.leftCols(count);
+    const petsc::Tall next = V().middleCols(done_, pending_);
+    V().leftCols(count) = kept;
+    V().middleCols(count, pending_) = next;
+    T_.setZero();
+    T_.topLeftCorner(count, count) = theta_.head(count).asDiagonal();
+    done_ = count;
+  }
+
+  Eigen::VectorXd theta(Index count) const { return theta_.head(count); }
+  petsc::Tall vectors(Index count) { return V().leftCols(done_) * Y_.leftCols(count); }
+
+ private:
+  Eigen::Block<petsc::Tall, Eigen::Dynamic, Eigen::Dynamic, true> V() {
+    return basis_.middleCols(locked_, capacity_ + block_);
+  }
+
+  /// Takes a block that is orthogonal to everything, normalises it (mv_ is M w) and puts it behind; where it has lost
+  /// rank, start columns fill the places.
+  void append(petsc::Tall w) {
+    const Index room = std::min(block_, space_ - done_);
+    const MatrixXd gram = petsc::inner(comm_of(M_), w, mv_);
+    const Eigen::LLT<MatrixXd> cholesky(gram);
+    const auto pivots = cholesky.matrixLLT().diagonal().array().abs();
+    const bool whole = cholesky.info() == Eigen::Success && w.cols() == room &&
+                       pivots.minCoeff() > well_conditioned * pivots.maxCoeff();
+    if (whole) {
+      cholesky.matrixU().solveInPlace<Eigen::OnTheRight>(w);
+      cholesky.matrixU().solveInPlace<Eigen::OnTheRight>(mv_);
+      V().middleCols(done_, room) = w;
+      coupling_ = cholesky.matrixU();
+      pending_ = room;
+      return;
+    }
+    append_carefully(w, room);
+  }
+
+  void append_carefully(const petsc::Tall& w, Index room) {
+    petsc::Tall next = w;
+    pending_ = 0;
+    for (int attempt = 0; pending_ < room && attempt < 4; ++attempt) {
+      const int kept = petsc::orthonormalise(M_, basis_.leftCols(locked_ + done_ + pending_), next);
+      const auto taken = std::min<Index>(kept, room - pending_);
+      V().middleCols(done_ + pending_, taken) = next.leftCols(taken);
+      pending_ += taken;
+      if (pending_ < room) next = next_start(room - pending_);
+    }
+    coupling_ = petsc::inner(comm_of(M_), V().middleCols(done_, pending_), petsc::multiply(M_, w));
+    mv_ = petsc::multiply(M_, V().middleCols(done_, pending_));
+  }
+
+  /// Start columns in turn; when all are used, products of two, so that every value still belongs to its vertex.
+  petsc::Tall next_start(Index columns) {
+    petsc::Tall x(basis_.rows(), columns);
+    for (Index j = 0; j < columns; ++j, ++used_) {
+      const Index n = start_.cols();
+      x.col(j) = start_.col(used_ % n);
+      if (used_ >= n) x.col(j) = x.col(j).cwiseProduct(start_.col((used_ + used_ / n) % n)).eval();
+    }
+    return x;
+  }
+
+  Mat M_;
+  const Operator& op_;
+  petsc::ConstTallRef start_;
+  Index space_, locked_, block_, capacity_;
+  petsc::Tall basis_;
+  MatrixXd T_;
+  Index done_ = 0, pending_ = 0, used_ = 0;
+  petsc::Tall mv_;     ///< M times the pending block
+  MatrixXd coupling_;  ///< pending block x the block before it
+  Eigen::VectorXd theta_, residuals_;
+  MatrixXd Y_;
+};
+
+}  // namespace
+
+LanczosResult block_lanczos(Mat M, const Operator& op, const petsc::ConstTallRef& locked,
+                            const petsc::ConstTallRef& start, const LanczosOptions& given, const Progress& progress) {
+  LanczosOptions options = given;
+  if (options.columns == 0) options.columns = std::max(2 * options.wanted, options.wanted + 20 * options.block);
+  Krylov krylov(M, op, locked, start, options);
+  LanczosResult result;
+  for (int restarts = 0; !krylov.exhausted();) {
+    krylov.extend();
+    ++result.iterations;
+    const bool look = krylov.size() >= options.wanted || krylov.full() || krylov.exhausted();
+    if (!look) continue;
+    krylov.ritz();
+    const int done = krylov.converged(options.wanted, options.tolerance);
+    progress(done, options.wanted);
+    result.converged = done == options.wanted || krylov.exhausted();
+    if (result.converged) break;
+    if (!krylov.full()) continue;
+    if (restarts++ == options.restarts) break;
+    krylov.restart(std::min<Index>(krylov.size() - 1, (options.wanted + krylov.size()) / 2));
+  }
+  const auto count = std::min<Index>(options.wanted, krylov.size());
+  if (count > 0) {
+    result.theta = krylov.theta(count);
+    result.vectors = krylov.vectors(count);
+  } else {
+    result.vectors.resize(start.rows(), 0);
+    result.converged = true;
+  }
+  return result;
+}
+
+}  // namespace ritz::stages

@@ -1,0 +1,41 @@
+#include "ritz/stages/canonical.hpp"
+
+#include <Eigen/SVD>
+#include <algorithm>
+
+namespace ritz::stages {
+namespace {
+
+constexpr double equal_gap = 1e-9;
+
+/// The end of the group of equal eigenvalues that begins at `first`.
+Eigen::Index group_end(const Eigen::VectorXd& values, Eigen::Index first) {
+  Eigen::Index end = first + 1;
+  while (end < values.size() && std::abs(values[end] - values[end - 1]) <= equal_gap * std::abs(values[end])) ++end;
+  return end;
+}
+
+}  // namespace
+
+int largest_group(const Eigen::VectorXd& values) {
+  Eigen::Index largest = 1;
+  for (Eigen::Index i = 0, end = 0; i < values.size(); i = end) {
+    end = group_end(values, i);
+    largest = std::max(largest, end - i);
+  }
+  return static_cast<int>(largest);
+}
+
+void make_canonical(Mat M, const Eigen::VectorXd& values, const petsc::ConstTallRef& W, petsc::TallRef vectors) {
+  const MPI_Comm comm = PetscObjectComm(reinterpret_cast<PetscObject>(M));
+  const Eigen::MatrixXd C = petsc::inner(comm, petsc::multiply(M, W), vectors);
+  for (Eigen::Index i = 0, end = 0; i < values.size(); i = end) {
+    end = group_end(values, i);
+    const auto size = end - i;
+    // C = S O with S symmetric positive definite and O orthogonal (polar decomposition); Ψ Oᵀ turns C into S.
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(C.block(0, i, size, size), Eigen::ComputeFullU | Eigen::ComputeFullV);
+    vectors.middleCols(i, size) = (vectors.middleCols(i, size) * svd.matrixV() * svd.matrixU().transpose()).eval();
+  }
+}
+
+}  // namespace ritz::stages

@@ -1,0 +1,63 @@
+#include <algorithm>
+
+#include "ritz/base/error.hpp"
+#include "ritz/stages/block_lanczos.hpp"
+#include "ritz/stages/eigen_strategy.hpp"
+#include "ritz/stages/elastic_scale.hpp"
+#include "ritz/stages/fixed_vectors.hpp"
+
+namespace ritz::stages {
+namespace {
+
+constexpr std::uint64_t start_stream = 1000;
+constexpr int polishing_steps = 3;
+
+petsc::Tall joined(const petsc::Tall& a, const petsc::Tall& b) {
+  petsc::Tall both(a.rows(), a.cols() + b.cols());
+  both << a, b;
+  return both;
+}
+
+/// One step of subspace iteration and Rayleigh-Ritz at a time, until every residual meets its gate: removes what
+/// Lanczos left of the high modes.
+RitzPairs polish(const EigenProblem& problem, petsc::Tall x, const petsc::Factorization& solver) {
+  RitzPairs pairs;
+  for (int step = 0; step < polishing_steps; ++step) {
+    solver.solve(petsc::multiply(problem.full.mass, x), x);
+    pairs = rayleigh_ritz(problem.full.stiffness, problem.full.mass, problem.rigid, std::move(x));
+    const Residuals r = residuals(problem.full.stiffness, problem.full.mass, problem.norm_K, pairs);
+    if ((r.relative.array() <= 0.1 * r.gate.array()).all()) break;
+    x = pairs.vectors;
+  }
+  return pairs;
+}
+
+}  // namespace
+
+double safe_shift(const EigenProblem& problem) {
+  if (problem.rigid.cols() == 0) return 0;
+  return -0.1 * elastic_scale(problem.mesh, problem.dofs, problem.full, problem.rigid);
+}
+
+Found find_direct(const EigenProblem& problem, int wanted, const petsc::Tall& known, const ModesOptions& options,
+                  petsc::Factorization& solver, const ModesProgress& progress) {
+  const double sigma = safe_shift(problem);
+  progress("factorization", 0);
+  solver.factor(problem.full.stiffness, problem.full.mass, sigma);
+
+  LanczosOptions lanczos;
+  lanczos.wanted = std::max(1, wanted - static_cast<int>(known.cols()));
+  lanczos.block = options.block;
+  lanczos.tolerance = options.tolerance;
+  const auto start = fixed_vectors(problem.mesh, problem.dofs, 3 * options.block, start_stream);
+  const auto op = [&](const petsc::ConstTallRef& mx, petsc::TallRef y) { solver.solve(mx, y); };
+  const auto found = block_lanczos(problem.full.mass, op, joined(problem.rigid, known), start, lanczos,
+                                   [&](int done, int all) { progress("modes", double(done) / all); });
+  if (!found.converged)
+    throw NumericalError("the eigensolver (block Lanczos, tolerance " + std::to_string(options.tolerance) +
+                         ") did not find all " + std::to_string(wanted) + " modes; raise -modes_max_restarts or lower -modes");
+  progress("polishing", 0);
+  return {polish(problem, joined(known, found.vectors), solver), found.iterations};
+}
+
+}  // namespace ritz::stages

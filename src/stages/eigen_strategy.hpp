@@ -1,0 +1,33 @@
+// The two ways to find the lowest modes, behind one signature.
+#pragma once
+#include "ritz/stages/linear_modes.hpp"
+#include "ritz/stages/rayleigh_ritz.hpp"
+
+namespace ritz::stages {
+
+/// What a strategy works on.
+struct EigenProblem {
+  const mesh::Mesh& mesh;
+  const mesh::Dofs& dofs;
+  const Full& full;
+  const petsc::Tall& rigid;  ///< M-orthonormal rigid modes
+  double norm_K;             ///< ‖K‖₁
+};
+
+/// Eigenpairs found, ascending, and how.
+struct Found {
+  RitzPairs pairs;
+  int iterations = 0;
+};
+
+/// The `wanted` lowest flexible pairs (fewer only when there are no more), given some of them already. *Collective*.
+Found find_direct(const EigenProblem& problem, int wanted, const petsc::Tall& known, const ModesOptions& options,
+                  petsc::Factorization& solver, const ModesProgress& progress);
+Found find_by_krylov_schur(const EigenProblem& problem, int wanted);
+Found find_iteratively(const EigenProblem& problem, int wanted);
+
+/// The shift of the spectral transformation: 0 where the supports hold the body; a tenth of the first elastic
+/// eigenvalue's scale below 0 where it can move rigidly. *Collective*.
+double safe_shift(const EigenProblem& problem);
+
+}  // namespace ritz::stages

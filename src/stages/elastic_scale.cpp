@@ -1,0 +1,49 @@
+#include "ritz/stages/elastic_scale.hpp"
+
+#include "ritz/parallel/comm.hpp"
+#include "ritz/stages/rayleigh_ritz.hpp"
+
+namespace ritz::stages {
+namespace {
+
+constexpr int degree = 3;
+
+/// Coordinates of owned vertices mapped into [-1, 1]³.
+Eigen::Matrix3Xd normalised(const mesh::Mesh& mesh) {
+  Eigen::Vector3d low = Eigen::Vector3d::Constant(1e300), high = -low;
+  for (int v = 0; v < mesh.owned; ++v) {
+    low = low.cwiseMin(mesh.points.col(v));
+    high = high.cwiseMax(mesh.points.col(v));
+  }
+  MPI_Allreduce(MPI_IN_PLACE, low.data(), 3, MPI_DOUBLE, MPI_MIN, mesh.comm);
+  MPI_Allreduce(MPI_IN_PLACE, high.data(), 3, MPI_DOUBLE, MPI_MAX, mesh.comm);
+  const Eigen::Vector3d half = ((high - low) / 2).cwiseMax(1e-300), middle = (high + low) / 2;
+  return half.cwiseInverse().asDiagonal() * (mesh.points.leftCols(mesh.owned).colwise() - middle);
+}
+
+petsc::Tall cubic_fields(const mesh::Mesh& mesh) {
+  const Eigen::Matrix3Xd x = normalised(mesh);
+  std::vector<Eigen::VectorXd> monomials;
+  for (int a = 0; a <= degree; ++a)
+    for (int b = 0; a + b <= degree; ++b)
+      for (int c = 0; a + b + c <= degree; ++c)
+        monomials.push_back((x.row(0).array().pow(a) * x.row(1).array().pow(b) * x.row(2).array().pow(c)).transpose());
+  const auto count = static_cast<Eigen::Index>(monomials.size());
+  petsc::Tall u = petsc::Tall::Zero(mesh::components * mesh.owned, mesh::components * count);
+  for (Eigen::Index m = 0; m < count; ++m)
+    for (int c = 0; c < mesh::components; ++c)
+      u.col(mesh::components * m + c)(Eigen::seqN(c, mesh.owned, mesh::components)) = monomials[static_cast<std::size_t>(m)];
+  return u;
+}
+
+}  // namespace
+
+double elastic_scale(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full& full,
+                     const petsc::ConstTallRef& rigid) {
+  const auto pairs =
+      rayleigh_ritz(full.stiffness, full.mass, rigid, mesh::from_vertices(mesh, dofs, cubic_fields(mesh)));
+  if (pairs.values.size() == 0) return one_norm(full.stiffness) / one_norm(full.mass);
+  return pairs.values[0];
+}
+
+}  // namespace ritz::stages

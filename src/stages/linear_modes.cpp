@@ -1,0 +1,207 @@
+#include "ritz/stages/linear_modes.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "ritz/base/error.hpp"
+#include "ritz/petsc/check.hpp"
+#include "ritz/stages/canonical.hpp"
+#include "ritz/stages/eigen_strategy.hpp"
+#include "ritz/stages/fixed_vectors.hpp"
+#include "ritz/stages/rigid_modes.hpp"
+#include "ritz/stages/strain_energy.hpp"
+
+namespace ritz::stages {
+namespace {
+
+using Eigen::Index;
+
+constexpr int margin = 4;              ///< pairs beyond the last wanted one, among which a gap for the shift is sought
+constexpr int searches = 3;            ///< how often modes that the count says are missing are searched for
+constexpr double rigid_energy = 1e-6;  ///< a rigid mode's Rayleigh quotient, relative to the first flexible λ
+constexpr std::uint64_t sign_stream = 1;
+
+std::string shown(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", x);
+  return text;
+}
+
+bool gap_after(const Eigen::VectorXd& values, Index i) {
+  return values[i + 1] - values[i] > cluster_gap * std::abs(values[i + 1]);
+}
+
+/// How many pairs to keep: at least `count`, no cluster cut; 0 when the cluster at the end is not complete.
+Index kept_count(const Eigen::VectorXd& values, Index count, bool all) {
+  for (Index n = std::min(count, values.size()); n < values.size(); ++n)
+    if (n == 0 || gap_after(values, n - 1)) return n;
+  return all ? values.size() : 0;
+}
+
+/// A shift in the widest relative gap behind the first `kept` pairs, and how many pairs lie below it.
+struct Shift {
+  double sigma;
+  Index below;
+};
+
+Shift choose_shift(const Eigen::VectorXd& values, Index kept) {
+  Shift best{1.1 * values[values.size() - 1], values.size()};
+  double widest = 0;
+  for (Index n = std::max<Index>(kept, 1); n < values.size(); ++n) {
+    const double gap = (values[n] - values[n - 1]) / values[n];
+    if (gap <= widest) continue;
+    widest = gap;
+    best = {(values[n] + values[n - 1]) / 2, n};
+  }
+  return best;
+}
+
+/// The rigid motions, M-orthonormal one after the other: translations stay translations.
+petsc::Tall rigid_modes(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full& full) {
+  petsc::Tall R = rigid_motions(mesh, dofs);
+  for (int pass = 0; pass < 2 && R.cols() > 0; ++pass) {
+    const Eigen::LLT<Eigen::MatrixXd> gram(petsc::inner(mesh.comm, R, petsc::multiply(full.mass, R)));
+    if (gram.info() != Eigen::Success)
+      throw NumericalError("the rigid modes of the body are not independent: is a piece a single point?");
+    gram.matrixU().solveInPlace<Eigen::OnTheRight>(R);
+  }
+  return R;
+}
+
+Index flexible_modes(const mesh::Dofs& dofs, const petsc::Tall& rigid) { return dofs.total - rigid.cols(); }
+
+class Search {
+ public:
+  Search(const EigenProblem& problem, const ModesOptions& options, const ModesProgress& progress)
+      : problem_(problem), options_(options), progress_(progress), solver_(problem.mesh.comm, "solve_"),
+        most_(flexible_modes(problem.dofs, problem.rigid)) {}
+
+  /// Pairs found so far, and how many of them to keep.
+  Found found;
+  Index kept = 0;
+  model::Certificate certificate;
+
+  void run(const petsc::Tall& known) {
+    const Index count = std::min<Index>(options_.count, most_);
+    Index wanted = std::min<Index>(count + margin, most_);
+    found = find(static_cast<int>(wanted), known);
+    while ((kept = kept_count(found.pairs.values, count, wanted == most_)) == 0 && count > 0) {
+      wanted = std::min<Index>(2 * wanted, most_);
+      found = find(static_cast<int>(wanted), found.pairs.vectors);
+    }
+    if (options_.strategy == Strategy::direct) certify();
+  }
+
+ private:
+  Found find(int wanted, const petsc::Tall& known) {
+    if (options_.strategy == Strategy::iterative) return find_iteratively(problem_, wanted);
+    if (options_.slepc) return find_by_krylov_schur(problem_, wanted);
+    return find_direct(problem_, wanted, known, options_, solver_, progress_);
+  }
+
+  /// Counts below a shift; when the count says that a mode is missing, goes on searching beside the known ones.
+  void certify() {
+    for (int search = 0; search <= searches; ++search) {
+      progress_("inertia count", 0);
+      const Shift shift = choose_shift(found.pairs.values, kept);
+      // Sylvester's law of inertia: the negative pivots of K − σM are the eigenvalues below σ.
+      solver_.factor(problem_.full.stiffness, problem_.full.mass, shift.sigma);
+      certificate = {model::Certified::inertia, shift.sigma, solver_.negative_pivots(),
+                     problem_.rigid.cols() + shift.below};
+      const auto missing = certificate.counted - certificate.found;
+      if (missing == 0) return;
+      if (missing < 0) break;
+      const auto wanted = std::min<Index>(found.pairs.values.size() + missing, most_);
+      found = find_direct(problem_, static_cast<int>(wanted), found.pairs.vectors, options_, solver_, progress_);
+      kept = kept_count(found.pairs.values, std::min<Index>(options_.count, most_), wanted == most_);
+    }
+    throw NumericalError("the modes could not be certified: " + std::to_string(certificate.counted) +
+                         " eigenvalues lie below the shift " + shown(certificate.shift) + ", " +
+                         std::to_string(certificate.found) + " were found");
+  }
+
+  const EigenProblem& problem_;
+  const ModesOptions& options_;
+  const ModesProgress& progress_;
+  petsc::Factorization solver_;
+  Index most_;
+};
+
+/// Puts M-normalised vectors in the order of their Rayleigh quotients, taken from the strains, and returns these.
+Eigen::VectorXd sort_by_energy(const EigenProblem& problem, petsc::TallRef vectors) {
+  const Eigen::VectorXd energies = strain_energies(problem.mesh, problem.full.materials,
+                                                   mesh::to_vertices(problem.mesh, problem.dofs, vectors));
+  std::vector<Index> order(static_cast<std::size_t>(energies.size()));
+  std::iota(order.begin(), order.end(), Index{0});
+  std::sort(order.begin(), order.end(), [&](Index a, Index b) { return energies[a] < energies[b]; });
+  vectors = petsc::Tall(vectors(Eigen::all, order));
+  return energies(order);
+}
+
+/// Rigid and flexible pairs side by side, with the figures that say how good they are.
+ModesResult summarise(const EigenProblem& problem, const Search& search) {
+  const Full& full = problem.full;
+  const MPI_Comm comm = problem.mesh.comm;
+  const Index rigid = problem.rigid.cols(), flexible = search.kept, all = rigid + flexible;
+  ModesResult result;
+  result.vectors.resize(problem.rigid.rows(), all);
+  result.vectors << problem.rigid, search.found.pairs.vectors.leftCols(flexible);
+  auto vectors = result.vectors.rightCols(flexible);
+  const Eigen::VectorXd values = sort_by_energy(problem, vectors);
+  const auto W = fixed_vectors(problem.mesh, problem.dofs, largest_group(values), sign_stream);
+  if (flexible > 0) make_canonical(full.mass, values, W, vectors);
+
+  model::Modes& modes = result.modes;
+  modes.eigenvalues = Eigen::VectorXd::Zero(all);
+  modes.eigenvalues.tail(flexible) = values;
+  const petsc::Tall kpsi = petsc::multiply(full.stiffness, result.vectors);
+  const Eigen::MatrixXd gram = petsc::inner(comm, result.vectors, petsc::multiply(full.mass, result.vectors));
+  modes.energies = petsc::inner(comm, result.vectors, kpsi).diagonal();
+  modes.orthonormality = all > 0 ? (gram - Eigen::MatrixXd::Identity(all, all)).cwiseAbs().maxCoeff() : 0;
+  modes.residuals = petsc::column_norms(comm, kpsi).cwiseQuotient(
+      (problem.norm_K * petsc::column_norms(comm, result.vectors)).cwiseMax(1e-300));
+  const Residuals r = residuals(full.stiffness, full.mass, problem.norm_K, {values, vectors});
+  modes.residuals.tail(flexible) = r.relative;
+  modes.floor_applies.assign(static_cast<std::size_t>(all), 0);
+  for (Index i = 0; i < flexible; ++i) {
+    modes.floor_applies[static_cast<std::size_t>(rigid + i)] = r.relative[i] > residual_gate;
+    if (!(r.relative[i] <= r.gate[i]))
+      throw NumericalError("mode " + std::to_string(rigid + i + 1) + " has a relative residual of " +
+                           shown(r.relative[i]) + ", above its gate " + shown(r.gate[i]) +
+                           "; use -solver direct, or a mesh of better shape");
+  }
+  modes.kinds.assign(static_cast<std::size_t>(rigid), model::ModeKind::rigid);
+  modes.kinds.resize(static_cast<std::size_t>(all), model::ModeKind::flexible);
+  modes.certificate = search.certificate;
+  result.iterations = search.found.iterations;
+  return result;
+}
+
+void check_rigid_energies(const model::Modes& modes, Index rigid) {
+  if (rigid == 0 || rigid == modes.eigenvalues.size()) return;
+  const double worst = modes.energies.head(rigid).cwiseAbs().maxCoeff();
+  if (worst > rigid_energy * modes.eigenvalues[rigid])
+    throw NumericalError("a rigid mode stores energy (Rayleigh quotient " + shown(worst) +
+                         " against the first flexible " + shown(modes.eigenvalues[rigid]) + ")");
+}
+
+}  // namespace
+
+ModesResult linear_modes(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full& full, const ModesOptions& options,
+                         const petsc::ConstTallRef& earlier, const ModesProgress& progress) {
+  const petsc::Tall rigid = rigid_modes(mesh, dofs, full);
+  const EigenProblem problem{mesh, dofs, full, rigid, one_norm(full.stiffness)};
+  Search search(problem, options, progress);
+  if (options.count > 0 && flexible_modes(dofs, rigid) > 0) search.run(earlier);
+  else search.found.pairs.vectors.resize(rigid.rows(), 0);
+  ModesResult result = summarise(problem, search);
+  check_rigid_energies(result.modes, rigid.cols());
+  if (search.kept < options.count)
+    result.notes.push_back(std::to_string(options.count) + " modes were asked for, but the body has only " +
+                           std::to_string(search.kept) + " flexible ones");
+  return result;
+}
+
+}  // namespace ritz::stages

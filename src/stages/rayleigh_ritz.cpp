@@ -1,0 +1,40 @@
+#include "ritz/stages/rayleigh_ritz.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <limits>
+
+#include "ritz/petsc/check.hpp"
+
+namespace ritz::stages {
+namespace {
+
+MPI_Comm comm_of(Mat A) { return PetscObjectComm(reinterpret_cast<PetscObject>(A)); }
+
+}  // namespace
+
+RitzPairs rayleigh_ritz(Mat K, Mat M, const petsc::ConstTallRef& against, petsc::Tall x) {
+  const int kept = petsc::orthonormalise(M, against, x);
+  const auto basis = x.leftCols(kept);
+  const Eigen::MatrixXd product = petsc::inner(comm_of(K), basis, petsc::multiply(K, basis));
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen((product + product.transpose()) / 2);
+  return {eigen.eigenvalues(), basis * eigen.eigenvectors()};
+}
+
+double one_norm(Mat A) {
+  PetscReal norm = 0;
+  petsc::check(MatNorm(A, NORM_INFINITY, &norm));
+  return norm;
+}
+
+Residuals residuals(Mat K, Mat M, double norm_K, const RitzPairs& pairs) {
+  const MPI_Comm comm = comm_of(K);
+  const petsc::Tall mx = petsc::multiply(M, pairs.vectors);
+  petsc::Tall r = petsc::multiply(K, pairs.vectors);
+  r -= mx * pairs.values.asDiagonal();
+  const Eigen::ArrayXd scale = pairs.values.array().abs() * petsc::column_norms(comm, mx).array();
+  const Eigen::ArrayXd floor = 10 * std::numeric_limits<double>::epsilon() * norm_K *
+                               petsc::column_norms(comm, pairs.vectors).array() / scale;
+  return {petsc::column_norms(comm, r).array() / scale, floor.max(residual_gate)};
+}
+
+}  // namespace ritz::stages

@@ -1,0 +1,42 @@
+#include "command_line.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "ritz/base/error.hpp"
+#include "ritz/base/nearest.hpp"
+
+namespace ritz::tools {
+namespace {
+
+void refuse_extras(const CLI::App& app) {
+  for (const auto& extra : app.remaining()) {
+    if (extra.empty() || extra[0] != '-') throw InputError("unexpected argument '" + extra + "'; see --help");
+    std::vector<std::string> known;
+    for (const auto* option : app.get_options())
+      for (const auto& name : option->get_lnames()) known.push_back("--" + name);
+    throw InputError("unknown option '" + extra + "'; did you mean '" + nearest(extra, known) + "'?");
+  }
+}
+
+std::string one_line(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text + "; see --help";
+}
+
+}  // namespace
+
+void parse(CLI::App& app, int argc, const char* const* argv) {
+  app.allow_extras();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    throw;
+  } catch (const CLI::ParseError& error) {
+    refuse_extras(app);  // a misspelt option explains a missing one
+    throw InputError(one_line(error.what()));
+  }
+  refuse_extras(app);
+}
+
+}  // namespace ritz::tools

@@ -1,0 +1,94 @@
+#include "inspect.hpp"
+
+#include <algorithm>
+#include <ostream>
+
+#include "inspect_body.hpp"
+#include "inspect_text.hpp"
+#include "ritz/format/contents.hpp"
+#include "ritz/format/parts.hpp"
+
+namespace ritz::tools {
+
+namespace {
+
+using Pairs = std::vector<std::pair<std::string, std::string>>;
+
+void describe_pairs(const char* title, const Pairs& pairs, std::ostream& out) {
+  if (pairs.empty()) return;
+  out << "  " << title << '\n';
+  for (const auto& [name, value] : pairs) out << "    " << padded(name, 36) << ' ' << value << '\n';
+}
+
+void describe_provenance(const model::Provenance& p, std::ostream& out) {
+  out << "\nprovenance\n";
+  out << "  program   " << p.program << " on " << p.ranks << (p.ranks == 1 ? " rank\n" : " ranks\n");
+  out << "  mesh      " << p.mesh_checksum << '\n';
+  out << "  problem   " << p.problem_checksum << '\n';
+  describe_pairs("versions", p.versions, out);
+  describe_pairs("options", p.options, out);
+}
+
+void describe_report(const model::Report& report, std::ostream& out) {
+  if (report.seconds.empty() && report.figures.empty() && report.notes.empty()) return;
+  out << "\nreport\n";
+  for (const auto& [stage, seconds] : report.seconds)
+    out << "  " << padded(stage, 38) << ' ' << duration(seconds) << '\n';
+  for (const auto& [name, value] : report.figures) out << "  " << padded(name, 38) << ' ' << text("%.10g\n", value);
+  for (const auto& note : report.notes) out << "  note: " << note << '\n';
+}
+
+void describe_body(const format::ModelReader& in, const std::string& name, std::ostream& out) {
+  out << "\nbody '" << name << "'\n";
+  if (in.has(format::schema::geometry, name)) describe_geometry(format::read_geometry(in, name), out);
+  if (in.has(format::schema::basis, name)) describe_basis(format::basis_size(in, name), out);
+  if (const auto modes = format::read_modes(in, name)) describe_modes(*modes, out);
+  if (const auto inertia = format::read_inertia(in, name)) describe_inertia(*inertia, out);
+  describe_loads(format::read_loads(in, name), out);
+}
+
+/// One line for what is printed together: a dataset, or all columns of a basis.
+struct Line {
+  std::string path, shape, size, units;
+};
+
+std::vector<Line> dataset_lines(const std::vector<format::DatasetInfo>& datasets) {
+  std::vector<Line> lines;
+  const auto is_column = [](const std::string& path) { return path.ends_with("/columns"); };
+  for (std::size_t first = 0, last = 0; first < datasets.size(); first = last) {
+    const auto& d = datasets[first];
+    const auto parent = d.path.substr(0, d.path.rfind('/'));
+    std::uint64_t bytes = 0;
+    do bytes += datasets[last++].bytes;
+    while (is_column(parent) && last < datasets.size() && datasets[last].path.starts_with(parent + "/"));
+    const auto range = last - first == 1 ? d.path : d.path + " … " + datasets[last - 1].path.substr(parent.size() + 1);
+    lines.push_back({range, shape_text(d.shape), d.is_virtual ? "a view" : byte_size(bytes), d.units});
+  }
+  return lines;
+}
+
+void describe_datasets(const std::vector<format::DatasetInfo>& datasets, std::ostream& out) {
+  out << "\ndatasets\n";
+  const auto lines = dataset_lines(datasets);
+  std::size_t width = 0;
+  for (const auto& line : lines) width = std::max(width, line.path.size());
+  for (const auto& line : lines)
+    out << "  " << padded(line.path, width) << text("  %14s  %10s  ", line.shape.c_str(), line.size.c_str())
+        << line.units << '\n';
+}
+
+}  // namespace
+
+void describe(const format::ModelReader& in, std::ostream& out) {
+  const auto datasets = format::contents(in);
+  std::uint64_t bytes = 0;
+  for (const auto& d : datasets) bytes += d.bytes;
+  out << in.name() << ": a ritz model, format " << format::schema::major << '.' << in.minor_version() << ", "
+      << datasets.size() << " datasets, " << byte_size(bytes) << " of data\n";
+  for (const auto& name : in.bodies()) describe_body(in, name, out);
+  describe_provenance(format::read_provenance(in), out);
+  describe_report(format::read_report(in), out);
+  describe_datasets(datasets, out);
+}
+
+}  // namespace ritz::tools

@@ -1,0 +1,131 @@
+#include "inspect_body.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <ostream>
+
+#include "inspect_text.hpp"
+#include "ritz/format/names.hpp"
+
+namespace ritz::tools {
+
+namespace {
+
+std::string heading(const char* part) {
+  return "\n  " + padded(part, 10);
+}
+std::ostream& item(std::ostream& out) {
+  return out << "            ";
+}
+
+std::string cell_name(std::uint8_t vtk) {
+  switch (vtk) {
+    case 5:
+      return "tri3";
+    case 9:
+      return "quad4";
+    case 10:
+      return "tet4";
+    case 12:
+      return "hex8";
+    case 22:
+      return "tri6";
+    case 24:
+      return "tet10";
+    default:
+      return "VTK type " + std::to_string(vtk);
+  }
+}
+
+double hertz(double eigenvalue) {
+  return std::sqrt(std::max(0.0, eigenvalue)) / (2 * std::numbers::pi);
+}
+
+std::string certificate_text(const model::Certificate& c) {
+  if (c.kind == model::Certified::no) return "not certified: modes may be missing";
+  const auto name = std::string(format::name(c.kind));
+  return text("certified (%s): %s eigenvalues below %.6g rad²/s² (%.6g Hz), %s found", name.c_str(),
+              grouped(c.counted).c_str(), c.shift, hertz(c.shift), grouped(c.found).c_str());
+}
+
+}  // namespace
+
+void describe_geometry(const model::Geometry& g, std::ostream& out) {
+  out << heading("geometry") << grouped(g.points.rows()) << " vertices";
+  if (g.rows == model::Rows::surface) out << " of the surface, of " << grouped(g.full_vertices) << " in the mesh";
+  out << '\n';
+  std::map<std::uint8_t, std::int64_t> counts;
+  for (const auto type : g.cells.vtk_types) ++counts[type];
+  for (const auto& [type, count] : counts) item(out) << grouped(count) << ' ' << cell_name(type) << " cells\n";
+  if (g.points.rows() > 0) {
+    const Eigen::RowVector3d low = g.points.colwise().minCoeff(), high = g.points.colwise().maxCoeff();
+    item(out) << text("box  x %.6g … %.6g   y %.6g … %.6g   z %.6g … %.6g m\n", low[0], high[0], low[1], high[1],
+                      low[2], high[2]);
+  }
+  for (const auto& [region, m] : g.materials)
+    item(out) << "material " << padded(region, 16)
+              << text(" E %.6g Pa, ν %.6g, ρ %.6g kg/m³\n", m.young, m.poisson, m.density);
+  for (const auto& set : g.sets) {
+    item(out) << "set      " << padded(set.name, 16) << ' ' << grouped(set.full_count) << " vertices";
+    if (std::ssize(set.rows) < set.full_count) out << ", " << grouped(std::ssize(set.rows)) << " stored";
+    out << '\n';
+  }
+}
+
+void describe_basis(const format::BasisSize& size, std::ostream& out) {
+  out << heading("basis") << "U is " << grouped(3 * size.vertices) << " x " << size.columns << ", "
+      << byte_size(static_cast<std::uint64_t>(24 * size.vertices * size.columns)) << '\n';
+}
+
+void describe_modes(const model::Modes& modes, std::ostream& out) {
+  const auto rigid = std::ranges::count(modes.kinds, model::ModeKind::rigid);
+  const auto flexible = std::ssize(modes.kinds) - rigid;
+  out << heading("modes") << rigid << " rigid, " << flexible << " flexible\n";
+  item(out) << certificate_text(modes.certificate) << '\n';
+  item(out) << text("mass-orthonormal to %.1e\n\n", modes.orthonormality);
+  item(out) << "mode  kind       frequency, Hz   eigenvalue, rad²/s²   residual\n";
+  for (Eigen::Index i = 0; i < modes.eigenvalues.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const double value = modes.eigenvalues[i];
+    item(out) << text("%4td  %-8s %15.7g   %19.10g   %8.1e%s\n", i + 1, format::name(modes.kinds[at]).data(),
+                      hertz(value), value, modes.residuals[i], modes.floor_applies[at] ? " *" : "");
+  }
+  if (std::ranges::count(modes.floor_applies, 1) > 0)
+    item(out) << "* held to the rounding floor 10 ε‖K‖‖ψ‖, which is above the usual gate\n";
+}
+
+void describe_inertia(const model::Inertia& inertia, std::ostream& out) {
+  const auto centre = inertia.centre_of_mass();
+  out << heading("inertia") << text("mass    %.9g kg\n", inertia.mass());
+  item(out) << text("centre  %.9g  %.9g  %.9g m\n", centre[0], centre[1], centre[2]);
+  const auto tensor = inertia.tensor();
+  for (int i = 0; i < 3; ++i)
+    item(out) << (i == 0 ? "tensor" : "      ")
+              << text("%15.6g %15.6g %15.6g%s\n", tensor(i, 0), tensor(i, 1), tensor(i, 2),
+                      i == 0 ? "  kg m², about the centre" : "");
+  const auto effective = inertia.effective_masses();
+  if (effective.rows() == 0) return;
+  out << '\n';
+  item(out) << "effective mass, % of all\n";
+  item(out) << "column         x         y         z\n";
+  const auto row = [&](const std::string& name, const Eigen::RowVector3d& masses) {
+    const Eigen::RowVector3d share = 100 / inertia.mass() * masses;
+    item(out) << text("%6s %9.4f %9.4f %9.4f\n", name.c_str(), share[0], share[1], share[2]);
+  };
+  for (Eigen::Index i = 0; i < effective.rows(); ++i) row(std::to_string(i + 1), effective.row(i));
+  row("sum", effective.colwise().sum());
+}
+
+void describe_loads(const std::vector<model::SetLoad>& loads, std::ostream& out) {
+  if (loads.empty()) return;
+  out << heading("loads") << "on " << loads.size() << " sets\n";
+  for (const auto& load : loads) {
+    item(out) << padded(load.set, 16) << ' ' << grouped(load.vertices) << " vertices";
+    if (load.has_surface) out << text(", surface of %.6g m²", load.area);
+    out << '\n';
+  }
+}
+
+}  // namespace ritz::tools

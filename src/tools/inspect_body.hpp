@@ -1,0 +1,17 @@
+// The parts of one body in words.
+#pragma once
+#include <iosfwd>
+
+#include "ritz/format/parts.hpp"
+
+namespace ritz::tools {
+
+void describe_geometry(const model::Geometry& geometry, std::ostream& out);
+void describe_basis(const format::BasisSize& size, std::ostream& out);
+/// A row a mode: kind, frequency, residual; and what certifies that none is missing.
+void describe_modes(const model::Modes& modes, std::ostream& out);
+/// Mass, centre, tensor, and the effective masses of U's columns.
+void describe_inertia(const model::Inertia& inertia, std::ostream& out);
+void describe_loads(const std::vector<model::SetLoad>& loads, std::ostream& out);
+
+}  // namespace ritz::tools

@@ -1,0 +1,81 @@
+#include "inspect_check.hpp"
+
+#include <algorithm>
+#include <ostream>
+
+#include "inspect_text.hpp"
+#include "ritz/base/error.hpp"
+#include "ritz/format/contents.hpp"
+#include "ritz/format/parts.hpp"
+
+namespace ritz::tools {
+
+namespace {
+
+constexpr double orthonormality_gate = 1e-10;
+
+void require(bool holds, const format::ModelReader& in, const std::string& what) {
+  if (!holds) throw InputError(in.name() + ": " + what + "; do not use this model, write it again with ritz-reduce");
+}
+
+std::string check_numbers(const format::ModelReader& in, const model::Body& body) {
+  require(body.geometry.points.allFinite(), in, "a coordinate is not a finite number");
+  require(body.basis.U.allFinite(), in, "an entry of U is not a finite number");
+  for (const auto& load : body.loads)
+    require(load.total.allFinite(), in, "the load on the set '" + load.set + "' is not a finite number");
+  return "all numbers are finite";
+}
+
+std::string check_modes(const format::ModelReader& in, const model::Modes& modes) {
+  const auto& values = modes.eigenvalues;
+  require(values.allFinite() && modes.residuals.allFinite(), in, "an eigenvalue or residual is not a finite number");
+  require(std::ranges::is_sorted(values), in, "the eigenvalues do not ascend");
+  require(std::ranges::is_sorted(modes.kinds), in, "a rigid mode stands after a flexible one");
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    const bool rigid = modes.kinds[static_cast<std::size_t>(i)] == model::ModeKind::rigid;
+    require(rigid ? values[i] == 0 : values[i] > 0, in,
+            text("mode %td is %s with the eigenvalue %g", i + 1, rigid ? "rigid" : "flexible", values[i]));
+  }
+  return text("%td eigenvalues ascend, rigid ones first", values.size());
+}
+
+std::string check_certificate(const format::ModelReader& in, const model::Certificate& c) {
+  if (c.kind == model::Certified::no) return "the number of modes is not certified, so not checked";
+  require(c.counted == c.found, in,
+          text("%td eigenvalues lie below the shift, but %td were found", c.counted, c.found));
+  return text("none of the %td modes below the shift is missing", c.counted);
+}
+
+std::string check_inertia(const format::ModelReader& in, const model::Inertia& inertia) {
+  const auto& G = inertia.gram;
+  require(G.allFinite() && inertia.mass() > 0, in, "the mass is not a positive number");
+  require(G.isApprox(G.transpose(), 1e-12), in, "the Gram matrix of the inertia is not symmetric");
+  const auto r = (G.rows() - 4) / 3;
+  Eigen::MatrixXd error = -Eigen::MatrixXd::Identity(r, r);  // UᵀMU - I, M being M_s on each component
+  for (Eigen::Index a = 0; a < 3; ++a) error += G.block(4 + a * r, 4 + a * r, r, r);
+  const double size = error.norm();
+  require(size <= orthonormality_gate, in, text("UᵀMU differs from I by %.1e, more than 1e-10", size));
+  return text("UᵀMU = I to %.1e", size);
+}
+
+}  // namespace
+
+void check(const format::ModelReader& in, std::ostream& out) {
+  const auto ok = [&](const std::string& what) { out << "ok  " << what << '\n'; };
+  std::size_t verified = 0;
+  for (const auto& dataset : format::contents(in)) {
+    format::verify(in, dataset);
+    verified += dataset.is_virtual ? 0 : 1;
+  }
+  ok(text("%zu datasets have the checksums they were written with", verified));
+  const auto model = format::read(in);
+  ok("the parts have shapes that fit together");
+  ok(check_numbers(in, model.body));
+  if (model.body.modes) {
+    ok(check_modes(in, *model.body.modes));
+    ok(check_certificate(in, model.body.modes->certificate));
+  }
+  if (model.body.inertia) ok(check_inertia(in, *model.body.inertia));
+}
+
+}  // namespace ritz::tools

@@ -1,0 +1,45 @@
+// ritz-inspect: what is in a model. See --help.
+#include <hdf5.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <new>
+
+#include "command_line.hpp"
+#include "inspect.hpp"
+#include "inspect_check.hpp"
+#include "ritz/base/error.hpp"
+
+namespace {
+
+int fail(int code, const std::string& message) {
+  std::cerr << "ritz-inspect: " << message << '\n';
+  return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace ritz;
+  H5dont_atexit();                              // on a damaged file HDF5 would trip over itself at exit
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // one sentence of ours instead of HDF5's stack
+  CLI::App app("Says what is in a reduced model: parts, frequencies, inertia, where it came from.", "ritz-inspect");
+  std::string path;
+  bool check = false;
+  app.add_option("model", path, "The model file, as ritz-reduce wrote it")->required();
+  app.add_flag("--check", check, "Verify checksums and invariants instead; exit code 2 when one fails");
+  try {
+    tools::parse(app, argc, argv);
+    const format::ModelReader in{std::filesystem::path(path)};
+    check ? tools::check(in, std::cout) : tools::describe(in, std::cout);
+    return exit_done;
+  } catch (const CLI::CallForHelp& help) {
+    return app.exit(help);
+  } catch (const InputError& error) {
+    return fail(exit_input, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(exit_numerical, "there is not enough memory");
+  } catch (const std::exception& error) {
+    return fail(exit_numerical, error.what());
+  }
+}

@@ -1,0 +1,37 @@
+// ritz-run: the serial runtime. See --help.
+#include <hdf5.h>
+
+#include <iostream>
+#include <new>
+
+#include "ritz/base/error.hpp"
+#include "run.hpp"
+
+namespace {
+
+int fail(int code, const char* message) {
+  std::cerr << "ritz-run: " << message << '\n';
+  return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace ritz;
+  H5dont_atexit();                              // on a full disk HDF5 would try again at exit, and crash
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // one sentence of ours instead of HDF5's stack
+  try {
+    const auto parsed = tools::parse_run_options(argc, argv);
+    if (const auto* help = std::get_if<tools::Help>(&parsed))
+      std::cout << help->text;
+    else
+      tools::run(std::get<tools::RunOptions>(parsed), std::cout);
+    return exit_done;
+  } catch (const InputError& error) {
+    return fail(exit_input, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(exit_numerical, "there is not enough memory");
+  } catch (const std::exception& error) {
+    return fail(exit_numerical, error.what());
+  }
+}

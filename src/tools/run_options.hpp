@@ -1,0 +1,31 @@
+// The command line of ritz-run.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace ritz::tools {
+
+enum class Voice : unsigned char { normal, quiet };
+
+struct RunOptions {
+  std::filesystem::path model;
+  std::filesystem::path scene;  ///< empty when a mode is animated
+  std::filesystem::path output = "motion.h5";
+  std::optional<std::int64_t> animate_mode;  ///< from 1, all modes counted, rigid ones too
+  std::optional<std::int64_t> frames;        ///< how many displacement frames, evenly spread
+  std::optional<std::int64_t> every;         ///< a frame every so many steps
+  Voice voice = Voice::normal;
+};
+
+/// The text of --help, when that was asked for.
+struct Help {
+  std::string text;
+};
+
+/// Throws InputError for a command line that is not as --help says, naming the nearest option.
+std::variant<RunOptions, Help> parse_run_options(int argc, const char* const* argv);
+
+}  // namespace ritz::tools

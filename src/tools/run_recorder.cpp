@@ -1,0 +1,36 @@
+#include "run_recorder.hpp"
+
+#include <utility>
+
+#include "ritz/runtime/reconstruction.hpp"
+
+namespace ritz::tools {
+
+Recorder::Recorder(const std::filesystem::path& output, const model::Body& body, const MotionPlan& plan,
+                   std::vector<std::int64_t> frame_states)
+    : body_(body),
+      folder_(output.parent_path()),
+      motion_(output, body.geometry, plan),
+      frame_states_(std::move(frame_states)),
+      displacement_(body.geometry.points.rows(), 3) {}
+
+void Recorder::add_probes(const std::vector<scene::Probe>& probes, Eigen::MatrixXd matrix) {
+  probes_.emplace(folder_ / "probes.csv", probes, std::move(matrix));
+}
+
+void Recorder::record(double t, Eigen::Ref<const Eigen::VectorXd> z) {
+  motion_.state(t, z);
+  if (probes_) probes_->row(t, z);
+  const auto state = state_++;
+  if (next_frame_ == frame_states_.size() || frame_states_[next_frame_] != state) return;
+  runtime::reconstruct(body_.basis, z, displacement_);
+  motion_.frame(displacement_);
+  ++next_frame_;
+}
+
+void Recorder::commit() {
+  motion_.commit();
+  if (probes_) probes_->commit();
+}
+
+}  // namespace ritz::tools

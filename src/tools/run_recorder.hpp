@@ -1,0 +1,38 @@
+// Everything that a run leaves behind: motion.h5, motion.xdmf, probes.csv.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "ritz/model/model.hpp"
+#include "run_motion.hpp"
+#include "run_probes.hpp"
+
+namespace ritz::tools {
+
+/// Takes the states of a run one by one and writes those that are frames as displacements.
+class Recorder {
+ public:
+  /// `frame_states` as frame_schedule returns it, one for each of the plan's frame times. `body` must outlive it.
+  Recorder(const std::filesystem::path& output, const model::Body& body, const MotionPlan& plan,
+           std::vector<std::int64_t> frame_states);
+
+  /// Has probes.csv written too, in the output's folder.
+  void add_probes(const std::vector<scene::Probe>& probes, Eigen::MatrixXd matrix);
+
+  void record(double t, Eigen::Ref<const Eigen::VectorXd> z);
+
+  /// Gives all files their names.
+  void commit();
+
+ private:
+  const model::Body& body_;
+  std::filesystem::path folder_;
+  MotionWriter motion_;
+  std::optional<ProbeWriter> probes_;
+  std::vector<std::int64_t> frame_states_;
+  std::size_t next_frame_ = 0;
+  std::int64_t state_ = 0;
+  model::Points displacement_;
+};
+
+}  // namespace ritz::tools

@@ -1,0 +1,88 @@
+#include "run_xdmf.hpp"
+
+#include <iomanip>
+#include <sstream>
+
+#include "ritz/base/error.hpp"
+
+namespace ritz::tools {
+namespace {
+
+std::int64_t xdmf_type(std::uint8_t vtk) {
+  switch (vtk) {
+    case 5:
+      return 4;  // triangle
+    case 9:
+      return 5;  // quadrilateral
+    case 10:
+      return 6;  // tetrahedron
+    case 12:
+      return 9;  // hexahedron
+    case 22:
+      return 0x24;  // quadratic triangle
+    case 24:
+      return 0x26;  // quadratic tetrahedron
+    default:
+      throw InputError("the model has cells of VTK type " + std::to_string(vtk) + ", which cannot be drawn");
+  }
+}
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::int64_t> mixed_topology(const model::DrawnCells& cells) {
+  std::vector<std::int64_t> topology;
+  topology.reserve(cells.vtk_types.size() + cells.vertices.size());
+  for (std::size_t cell = 0; cell < cells.vtk_types.size(); ++cell) {
+    topology.push_back(xdmf_type(cells.vtk_types[cell]));
+    topology.insert(topology.end(), cells.vertices.begin() + cells.offsets[cell],
+                    cells.vertices.begin() + cells.offsets[cell + 1]);
+  }
+  return topology;
+}
+
+std::string frame_name(std::size_t frame) {
+  return "/frames/" + std::to_string(frame);
+}
+
+std::string xdmf_text(const std::string& file, const XdmfSize& size, std::span<const double> times) {
+  const std::string source = escaped(file) + ":/";
+  const std::string numbers = " NumberType=\"Float\" Precision=\"8\" Format=\"HDF\">" + source;
+  std::ostringstream out;
+  out << std::setprecision(17) << "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n<Domain>\n"
+      << "<Grid Name=\"motion\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
+  for (std::size_t frame = 0; frame < times.size(); ++frame) {
+    out << "<Grid Name=\"body\" GridType=\"Uniform\">\n<Time Value=\"" << times[frame] << "\"/>\n"
+        << "<Topology TopologyType=\"Mixed\" NumberOfElements=\"" << size.cells << "\"><DataItem Dimensions=\""
+        << size.topology << "\" NumberType=\"Int\" Precision=\"8\" Format=\"HDF\">" << source
+        << "cells</DataItem></Topology>\n"
+        << "<Geometry GeometryType=\"XYZ\"><DataItem Dimensions=\"" << size.vertices << " 3\"" << numbers
+        << "points</DataItem></Geometry>\n"
+        << "<Attribute Name=\"displacement\" AttributeType=\"Vector\" Center=\"Node\">"
+        << "<DataItem Dimensions=\"" << size.vertices << " 3\"" << numbers << frame_name(frame).substr(1)
+        << "</DataItem></Attribute>\n</Grid>\n";
+  }
+  out << "</Grid>\n</Domain>\n</Xdmf>\n";
+  return out.str();
+}
+
+}  // namespace ritz::tools

@@ -1,0 +1,28 @@
+// The XDMF description of motion.h5, a temporal collection. www.xdmf.org
+#pragma once
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "ritz/model/model.hpp"
+
+namespace ritz::tools {
+
+/// XDMF's mixed topology: for each cell its XDMF type, then its vertices. Throws InputError for a VTK type that is
+/// none of tet4, tet10, hex8, tri3, tri6, quad4.
+std::vector<std::int64_t> mixed_topology(const model::DrawnCells& cells);
+
+struct XdmfSize {
+  std::int64_t vertices;
+  std::int64_t cells;
+  std::int64_t topology;  ///< entries of mixed_topology
+};
+
+/// Where motion.h5 shows the displacements of one frame.
+std::string frame_name(std::size_t frame);
+
+/// `file`: the name of motion.h5 without its folder; `times`: of the frames.
+std::string xdmf_text(const std::string& file, const XdmfSize& size, std::span<const double> times);
+
+}  // namespace ritz::tools

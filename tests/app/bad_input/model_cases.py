@@ -1,0 +1,130 @@
+"""Models that are none, or no longer, as ritz-run, ritz-inspect and -reuse meet them."""
+import subprocess
+import tempfile
+from pathlib import Path
+
+import h5py
+
+from option_cases import WHOLE
+from runner import Case, command
+
+SCENE = """
+[time]
+step = 1e-3
+end = 1e-2
+[[load]]
+set = "xmax"
+total = [0, 0, 1]
+"""
+
+
+def make_model():
+    with tempfile.TemporaryDirectory() as folder:
+        subprocess.run(command(Case("", WHOLE, [])), cwd=folder, check=True, capture_output=True)
+        return (Path(folder) / "model.h5").read_bytes()
+
+
+MODEL = make_model()
+
+
+def changed(change):
+    """The model with `change` done to it through HDF5."""
+    def make(path):
+        path.write_bytes(MODEL)
+        with h5py.File(path, "r+") as file:
+            change(file)
+    return make
+
+
+def without(name):
+    return changed(lambda file: file.__delitem__(name))
+
+
+def replace(name, value):
+    def change(file):
+        attributes = dict(file[name].attrs)
+        del file[name]
+        file[name] = value
+        file[name].attrs.update(attributes)
+    return changed(change)
+
+
+def set_attribute(name, value):
+    return changed(lambda file: file.attrs.modify(name, value))
+
+
+def flipped(name):
+    """One bit of one number, on the disk."""
+    def make(path):
+        path.write_bytes(MODEL)
+        with h5py.File(path) as file:
+            at = file[name].id.get_offset()
+        damaged = bytearray(MODEL)
+        damaged[at + 3] ^= 1
+        path.write_bytes(damaged)
+    return make
+
+
+def half_written(path):
+    path.write_bytes(MODEL[:len(MODEL) // 2] + bytes(len(MODEL) - len(MODEL) // 2))
+
+
+BODY = "bodies/body/"
+DAMAGED = [
+    ("text in place of a model", "not HDF5", "not an HDF5 file"),
+    ("an empty model", "", "not an HDF5 file"),
+    ("a model cut in half", MODEL[:len(MODEL) // 2], "truncated"),
+    ("a model cut by a byte", MODEL[:-1], "truncated"),
+    ("a model whose second half was not written", half_written, "model.h5"),
+    ("an HDF5 file of something else", lambda path: h5py.File(path, "w").close(), "not a ritz model"),
+    ("a model of another name", set_attribute("format", b"ritz-motion"), "not a ritz model"),
+    ("a model of version 9", set_attribute("version", [9, 0]), "9.0"),
+    ("a model without bodies", without("bodies"), "bod"),
+    ("a model without a basis", without(BODY + "basis"), "basis"),
+    ("a model without points", without(BODY + "geometry/points"), "points"),
+    ("a model of misshapen points", replace(BODY + "geometry/points", [[0.0, 1.0]]), "points"),
+    ("a model of too few eigenvalues", replace(BODY + "modes/eigenvalues", [1.0]), "modes"),
+    ("a model of damaged eigenvalues", flipped(BODY + "modes/eigenvalues"), "eigenvalues", "checksum"),
+]
+
+RUN = ["model.h5", "--scene", "scene.toml"]
+CASES = []
+for name, content, *says in DAMAGED:
+    models = {"model.h5": content}
+    CASES.append(Case(f"ritz-run: {name}", RUN, ["model.h5", *says], models | {"scene.toml": SCENE}, "ritz-run"))
+    CASES.append(Case(f"ritz-inspect: {name}", ["model.h5", "--check"], ["model.h5", *says], models, "ritz-inspect"))
+
+CASES += [
+    Case("ritz-inspect --check: a damaged basis", ["model.h5", "--check"], ["basis", "checksum"],
+         {"model.h5": flipped(BODY + "basis/columns/0001")}, "ritz-inspect"),
+    Case("ritz-inspect: a model without points", ["model.h5"], ["points", "missing"],
+         {"model.h5": without(BODY + "geometry/points")}, "ritz-inspect"),
+    Case("ritz-inspect: half a model", ["model.h5"], ["model.h5"], {"model.h5": half_written}, "ritz-inspect"),
+    Case("ritz-inspect: no model", ["model.h5"], ["model.h5"], program="ritz-inspect"),
+    Case("ritz-inspect: a folder", ["model.h5"], ["model.h5", "folder"], {"model.h5/a": ""}, "ritz-inspect"),
+    Case("ritz-inspect: a path through a file", ["a/model.h5"], ["a/model.h5"], {"a": ""}, "ritz-inspect"),
+    Case("ritz-inspect: a half-written model", ["model.h5.part"], ["half-written"], {"model.h5.part": MODEL}, "ritz-inspect"),
+    Case("ritz-inspect: an unknown option", ["model.h5", "--chek"], ["--chek", "--check"], {"model.h5": MODEL}, "ritz-inspect"),
+    Case("ritz-inspect: nothing to inspect", [], ["model"], program="ritz-inspect"),
+    Case("ritz-run: no model", RUN, ["model.h5"], {"scene.toml": SCENE}, "ritz-run"),
+    Case("ritz-run: no scene", RUN, ["scene.toml"], {"model.h5": MODEL}, "ritz-run"),
+    Case("ritz-run: an unknown option", [*RUN, "--outptu", "a.h5"], ["--outptu", "--output"],
+         {"model.h5": MODEL, "scene.toml": SCENE}, "ritz-run"),
+    Case("ritz-run: a set that is not there", RUN, ["xmxa", "xmax"],
+         {"model.h5": MODEL, "scene.toml": SCENE.replace("xmax", "xmxa")}, "ritz-run"),
+    Case("ritz-run: a step of 0", RUN, ["scene.toml", "step"],
+         {"model.h5": MODEL, "scene.toml": SCENE.replace("1e-3", "0")}, "ritz-run"),
+    Case("ritz-run: an output in a folder that is not there", [*RUN, "--output", "a/motion.h5"], ["a/motion.h5"],
+         {"model.h5": MODEL, "scene.toml": SCENE}, "ritz-run"),
+]
+
+REUSE = [*WHOLE, "-reuse", "old.h5"]
+CASES += [
+    Case("-reuse of no file", REUSE, ["old.h5"]),
+    Case("-reuse of text", REUSE, ["old.h5", "not an HDF5 file"], {"old.h5": "not HDF5"}),
+    Case("-reuse of a folder", REUSE, ["old.h5", "folder"], {"old.h5/a": ""}),
+    Case("-reuse of half a model", REUSE, ["old.h5", "truncated"], {"old.h5": MODEL[:len(MODEL) // 2]}),
+    Case("-reuse of a model whose second half was not written", REUSE, ["old.h5"], {"old.h5": half_written}),
+    Case("-reuse of a later version", REUSE, ["old.h5", "9.0"], {"old.h5": set_attribute("version", [9, 0])}),
+    Case("-reuse of a damaged basis", REUSE, ["old.h5", "checksum"], {"old.h5": flipped(BODY + "basis/columns/0001")}),
+]

@@ -1,0 +1,90 @@
+"""One row of the table: files, a command line, and what the program must answer."""
+import os
+import re
+import subprocess
+import tempfile
+import time
+from dataclasses import dataclass, field
+from pathlib import Path
+
+BIN = Path(os.environ["RITZ_BIN"])
+SECONDS = 5
+# What mpirun says of a non-zero exit, and MPI's files of a write that fails.
+BOILERPLATE = re.compile(r"^-{60,}\n.*?^-{60,}\n|^mca_[^\n]*\n", re.M | re.S)
+
+
+@dataclass
+class Case:
+    name: str
+    words: list
+    says: list  # pieces that the sentence must hold
+    files: dict = field(default_factory=dict)  # name -> text, bytes, or a function that makes it at a path
+    program: str = "ritz-reduce"
+    code: int = 2
+    leaves: set = field(default_factory=set)  # new files of a run that is meant to succeed
+
+
+def command(case, ranks=2):
+    mpirun = ["mpirun", "-n", str(ranks)] if case.program == "ritz-reduce" else []
+    return [*mpirun, str(BIN / case.program), *map(str, case.words)]
+
+
+def write_files(case, folder):
+    for name, content in case.files.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        if callable(content):
+            content(path)
+        else:
+            path.write_bytes(content.encode() if isinstance(content, str) else content)
+
+
+def contents(folder):
+    """What stands where: the bytes of files; links and devices by their names alone."""
+    files = (path for path in folder.rglob("*") if not path.is_dir())
+    return {str(path.relative_to(folder)): path.read_bytes() if path.is_file() and not path.is_symlink() else None
+            for path in files}
+
+
+def sentences(stderr):
+    lines = BOILERPLATE.sub("", stderr).splitlines()
+    return [line for line in lines if line.strip() and not line.startswith("warning: ")]
+
+
+def complaints_about(case, result, before, after, seconds):
+    """What is wrong with the answer, in words; nothing when it is right."""
+    if result.returncode != case.code:
+        yield f"exit code {result.returncode} in place of {case.code}"
+    said = sentences(result.stderr)
+    if len(said) != (0 if case.code == 0 else 1):
+        yield f"{len(said)} lines on stderr"
+    if case.code != 0 and said and not re.match(rf"{case.program}: \S.*[^.\s]$", said[0]):
+        yield "the line is no sentence of the program"
+    for piece in case.says:
+        if piece not in " ".join(said):
+            yield f"the sentence lacks '{piece}'"
+    if re.search(r"PETSC ERROR|Traceback|HDF5-DIAG|terminate called|\[\d+\]", result.stderr):
+        yield "a stack trace"
+    new = set(after) - set(before)
+    if new != case.leaves:
+        yield f"left behind {sorted(new - case.leaves)}, lacking {sorted(case.leaves - new)}"
+    changed = [name for name in before if after.get(name) != before[name]]
+    if changed:
+        yield f"changed {changed}"
+    if seconds > SECONDS:
+        yield f"took {seconds:.1f} s"
+
+
+def run(case):
+    """The complaints about one case, and the program's sentence."""
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = Path(temporary)
+        write_files(case, folder)
+        before = contents(folder)
+        start = time.monotonic()
+        try:
+            result = subprocess.run(command(case), cwd=folder, capture_output=True, text=True, timeout=60)
+        except subprocess.TimeoutExpired:
+            return ["hangs"], ""
+        seconds = time.monotonic() - start
+        return list(complaints_about(case, result, before, contents(folder), seconds)), result.stderr

@@ -1,0 +1,140 @@
+"""ritz-reduce as a program: what it prints, what it writes, what it takes over from an earlier run."""
+import math
+import re
+import unittest
+
+import numpy as np
+
+from program import BOX, InAFolder
+
+CLAMPED = [*BOX, "-fix", "xmin"]
+
+
+def columns(body):
+    return np.stack([body["basis/columns"][name][:] for name in sorted(body["basis/columns"])], axis=-1)
+
+
+class Files(InAFolder):
+    def test_frequencies(self):
+        self.reduce(*BOX)
+        text = (self.folder / "frequencies.csv").read_text()
+        self.assertEqual(text.splitlines()[0], "index,kind,frequency_hz,eigenvalue,residual,certified")
+        rows = self.frequencies()
+        self.assertEqual([row["index"] for row in rows], [str(i + 1) for i in range(len(rows))])
+        self.assertEqual([row["kind"] for row in rows], ["rigid"] * 6 + ["flexible"] * (len(rows) - 6))
+        self.assertEqual({row["certified"] for row in rows}, {"inertia"})
+        self.assertGreaterEqual(len(rows), 6 + 5)
+        stored = self.body()["modes/eigenvalues"][:]
+        for row, value in zip(rows, stored):
+            self.assertAlmostEqual(float(row["eigenvalue"]), value, delta=1e-14 * value)
+            self.assertAlmostEqual(float(row["frequency_hz"]), math.sqrt(value) / (2 * math.pi), delta=1e-13 * math.sqrt(value))
+            self.assertLess(float(row["residual"]), 1e-8)
+        self.assertGreaterEqual(max(len(re.sub(r"\D", "", row["eigenvalue"])) for row in rows), 14)
+
+    def test_no_modes_are_modes_too(self):
+        self.reduce(*CLAMPED, "-modes", "0")
+        self.assertEqual(self.frequencies(), [])
+        self.reduce(*BOX, "-modes", "0")
+        self.assertEqual([row["kind"] for row in self.frequencies()], ["rigid"] * 6)
+
+    def test_all_modes_when_more_are_asked_for_than_there_are(self):
+        self.reduce(*BOX, "-mesh", "box:1,1,1/1,1,1/tet4", "-modes", "100")
+        self.assertEqual(len(self.frequencies()), 24)
+
+    def test_the_surface_alone(self):
+        self.reduce(*CLAMPED, "-output", "whole.h5")
+        whole_values = self.eigenvalues()
+        self.reduce(*CLAMPED, "-surface_only", "-output", "surface.h5")
+        whole, surface = self.body("whole.h5"), self.body("surface.h5")
+        ids, kept = whole["geometry/vertex_ids"][:], surface["geometry/vertex_ids"][:]
+        x = whole["geometry/points"][:]
+        outside = (np.isclose(x, 0) | np.isclose(x, [1, .4, .3])).any(axis=1)
+        np.testing.assert_array_equal(kept, ids[outside])
+        self.assertLess(len(kept), len(ids))
+        np.testing.assert_array_equal(surface["geometry/points"][:], x[outside])
+        np.testing.assert_allclose(columns(surface), columns(whole)[outside], rtol=0, atol=1e-10)
+        np.testing.assert_allclose(surface["inertia/gram"][:], whole["inertia/gram"][:], rtol=0, atol=1e-9)
+        np.testing.assert_allclose(self.eigenvalues(), whole_values, rtol=1e-12)
+
+    def test_an_earlier_output_is_replaced(self):
+        self.reduce(*CLAMPED)
+        first = self.eigenvalues()
+        self.reduce(*BOX)
+        self.assertNotEqual(self.eigenvalues(), first)
+        self.assertEqual(self.files(), {"model.h5", "model.vtkhdf", "frequencies.csv"})
+
+
+class Voice(InAFolder):
+    def test_lines_where_nobody_watches(self):
+        lines = self.reduce(*CLAMPED).stdout.splitlines()
+        for stage in ("mesh", "assemble", "modes", "write"):
+            self.assertEqual(len([l for l in lines if re.match(rf"\d{{4}}-\d\d-\d\d \d\d:\d\d:\d\d  {stage} ", l)]), 1, stage)
+        self.assertFalse(any("\r" in line or "\033" in line for line in lines))
+        self.assertTrue(any(line.startswith("certified: ") for line in lines))
+
+    def test_quiet(self):
+        result = self.reduce(*CLAMPED, "-quiet")
+        self.assertEqual((result.stdout, result.stderr), ("", ""))
+
+    def test_help_is_printed_once_and_nothing_run(self):
+        for word in ("-help", "--help"):
+            text = self.reduce(word).stdout
+            self.assertEqual(text.count("usage:"), 1)
+            for option in ("mesh", "fix", "modes", "material_young", "units", "output", "reuse", "export", "plan"):
+                self.assertEqual(len(re.findall(rf"^  -{option}\b", text, re.M)), 1, option)
+        self.assertEqual(self.files(), set())
+
+    def test_plan_writes_nothing(self):
+        self.assertIn("modes", self.reduce(*CLAMPED, "-plan").stdout)
+        self.assertEqual(self.files(), set())
+
+    def test_log_view_shows_the_stages(self):
+        (self.folder / "a.opts").write_text("-log_view\n")
+        for words in (["-log_view"], ["-options_file", "a.opts"]):
+            text = self.reduce(*CLAMPED, *words).stdout
+            for stage in ("mesh", "assemble", "modes", "inertia", "loads", "write"):
+                self.assertRegex(text, rf"Event Stage \d+: {stage}|\d+: +{stage}:")
+
+
+class Reuse(InAFolder):
+    def setUp(self):
+        super().setUp()
+        self.reduce(*CLAMPED, "-output", "old.h5")
+
+    def again(self, *words):
+        result = self.reduce(*CLAMPED, "-reuse", "old.h5", *words)
+        return result.stdout, result.stderr
+
+    def test_of_the_same_problem(self):
+        before = self.eigenvalues()
+        out, err = self.again()
+        self.assertRegex(out, r"reusing \d+ modes of old\.h5")
+        self.assertEqual(err, "")
+        np.testing.assert_allclose(self.eigenvalues(), before, rtol=1e-11)
+        np.testing.assert_allclose(columns(self.body()), columns(self.body("old.h5")), rtol=0, atol=1e-8)
+
+    def test_on_another_number_of_ranks_and_for_more_modes(self):
+        before = self.eigenvalues()
+        self.assertIn("reusing", self.reduce(*CLAMPED, "-reuse", "old.h5", "-modes", "9", ranks=3).stdout)
+        self.assertGreaterEqual(len(self.eigenvalues()), 9)
+        np.testing.assert_allclose(self.eigenvalues()[:len(before)], before, rtol=1e-10)
+        self.assertEqual({row["certified"] for row in self.frequencies()}, {"inertia"})
+
+    def test_says_why_not(self):
+        for words, why in [(["-mesh", "box:1,.4,.3001/4,2,2/tet4"], "another mesh"),
+                           (["-material_young", "2e6"], "materials or supports"),
+                           (["-fix", "xmax"], "materials or supports"),
+                           (["-fix", "xmin:xy"], "materials or supports")]:
+            out, err = self.again(*words)
+            self.assertNotIn("reusing", out)
+            self.assertEqual(len(err.splitlines()), 1, err)
+            self.assertIn("nothing is reused of old.h5", err)
+            self.assertIn(why, err)
+
+    def test_says_that_a_surface_is_too_little(self):
+        self.reduce(*CLAMPED, "-surface_only", "-output", "old.h5")
+        self.assertIn("surface", self.again()[1])
+
+
+if __name__ == "__main__":
+    unittest.main()

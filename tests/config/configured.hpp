@@ -1,0 +1,40 @@
+// A command line as a program of ours would read it.
+#pragma once
+#include <petscsys.h>
+
+#include <string>
+#include <vector>
+
+#include "ritz/config/command_line.hpp"
+#include "ritz/config/config.hpp"
+#include "ritz/petsc/check.hpp"
+
+namespace ritz::config::testing {
+
+/// The words after the program's name; what a run before left in PETSc's database is gone. *Collective*.
+inline Config configured(std::vector<std::string> words) {
+  static const bool quiet = (petsc::keep_messages(), true);
+  (void)quiet;
+  words.insert(words.begin(), "ritz-reduce");
+  std::vector<char*> pointers, for_petsc;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    pointers.push_back(words[i].data());
+    if (words[i] != "-options_file" && (i == 0 || words[i - 1] != "-options_file"))
+      for_petsc.push_back(words[i].data());
+  }
+  int count = static_cast<int>(for_petsc.size());
+  for_petsc.push_back(nullptr);
+  char** list = for_petsc.data();
+  PetscOptionsClear(nullptr);
+  PetscOptionsInsert(nullptr, &count, &list, nullptr);
+  read_command_line(MPI_COMM_WORLD, static_cast<int>(pointers.size()), pointers.data());
+  return read_config(MPI_COMM_WORLD);
+}
+
+/// A command line on a box, and more.
+inline Config with_box(std::vector<std::string> more) {
+  more.insert(more.begin(), {"-mesh", "box:1,1,1/2,2,2/tet4"});
+  return configured(std::move(more));
+}
+
+}  // namespace ritz::config::testing

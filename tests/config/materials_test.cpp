@@ -1,0 +1,83 @@
+// Whose material a region gets: its own option, the general option, the mesh file; in SI.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "config/configured.hpp"
+#include "ritz/base/error.hpp"
+
+namespace ritz::config {
+namespace {
+
+using config::testing::with_box;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+const std::vector<mesh::Region> regions = {{"Steel", fem::StVK{200e9, .29, 7850}}, {"rubber", std::nullopt}};
+const std::vector<std::string> general = {"-material_young",   "1e6", "-material_poisson", ".45",
+                                          "-material_density", "1100"};
+
+std::vector<fem::StVK> materials(std::vector<std::string> words) {
+  return region_materials(with_box(std::move(words)), regions);
+}
+
+std::vector<std::string> with(std::vector<std::string> words, const std::vector<std::string>& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+TEST(Materials, OfTheGeneralOptionsWinOverTheFile) {
+  for (const auto& m : materials(general)) {
+    EXPECT_EQ(m.young, 1e6);
+    EXPECT_EQ(m.poisson, .45);
+    EXPECT_EQ(m.density, 1100);
+  }
+}
+
+TEST(Materials, OfARegionWinOverTheGeneral) {
+  const auto all = materials(with(general, {"-material_rubber_young", "2e6", "-material_steel_density", "7000"}));
+  EXPECT_EQ(all[0].young, 1e6);
+  EXPECT_EQ(all[0].density, 7000);  // names of options do not mind capitals
+  EXPECT_EQ(all[1].young, 2e6);
+  EXPECT_EQ(all[1].density, 1100);
+}
+
+TEST(Materials, OfTheFileStandWhereNoOptionSpeaks) {
+  const auto all = materials({"-material_rubber_young", "2e6", "-material_rubber_poisson", ".4",
+                              "-material_rubber_density", "1000", "-material_Steel_poisson", ".3"});
+  EXPECT_EQ(all[0].young, 200e9);
+  EXPECT_EQ(all[0].poisson, .3);
+  EXPECT_EQ(all[0].density, 7850);
+  EXPECT_EQ(all[1].poisson, .4);
+}
+
+TEST(Materials, OfOptionsAreConvertedToSi) {
+  const auto all = materials(
+      {"-units", "mm-t-s", "-material_young", "210000", "-material_poisson", ".3", "-material_density", "7.85e-9"});
+  EXPECT_NEAR(all[1].young, 210e9, 1);
+  EXPECT_NEAR(all[1].density, 7850, 1e-9);
+}
+
+void refuses(const std::vector<std::string>& words, const std::string& first, const std::string& second) {
+  EXPECT_THAT([&] { materials(words); }, ThrowsMessage<InputError>(AllOf(HasSubstr(first), HasSubstr(second))));
+}
+
+TEST(Materials, MustBeComplete) {
+  refuses({}, "'rubber'", "-material_rubber_young");
+  refuses({"-material_young", "1e6", "-material_poisson", ".3"}, "'rubber'", "-material_density");
+}
+
+TEST(Materials, MustBePossible) {
+  refuses(with(general, {"-material_rubber_young", "0"}), "'rubber'", "positive");
+  refuses(with(general, {"-material_young", "-1"}), "Young", "positive");
+  refuses(with(general, {"-material_poisson", ".5"}), "Poisson", "below 0.5");
+  refuses(with(general, {"-material_poisson", "-1"}), "Poisson", "above -1");
+  refuses(with(general, {"-material_steel_density", "0"}), "'Steel'", "positive");
+}
+
+TEST(Materials, MustBeOfARegionThatExists) {
+  refuses(with(general, {"-material_ruber_young", "1"}), "'ruber'", "'rubber'");
+}
+
+}  // namespace
+}  // namespace ritz::config

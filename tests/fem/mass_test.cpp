@@ -1,0 +1,86 @@
+// The consistent mass against fine quadrature, its sums and invariances.
+#include "ritz/fem/mass.hpp"
+
+#include <Eigen/Cholesky>
+
+#include "fem/sample_cells.hpp"
+#include "ritz/fem/geometry.hpp"
+
+namespace ritz::fem::testing {
+namespace {
+
+constexpr double density = 3.7;
+
+template <class E>
+struct Mass : ::testing::Test {};
+TYPED_TEST_SUITE(Mass, Elements);
+
+template <class E>
+MassMatrix<E> fine_mass(const Coordinates<E>& x) {
+  return integrate_finely<E>([&](const Point<3>& xi) -> MassMatrix<E> {
+    const auto N = E::shape(xi);
+    return density * jacobian<E>(x, xi).determinant() * N * N.transpose();
+  });
+}
+
+TYPED_TEST(Mass, IsTheFineQuadratureOnStraightAndCurvedCells) {
+  using E = TypeParam;
+  for (std::uint64_t seed = 0; seed < 5; ++seed)
+    for (const auto& x : {straight_cell<E>(seed), curved_cell<E>(seed)}) {
+      const MassMatrix<E> expected = fine_mass<E>(x);
+      EXPECT_LT((mass<E>(x, density) - expected).norm(), 1e-13 * expected.norm());
+    }
+}
+
+TYPED_TEST(Mass, IsExactlySymmetricAndPositiveDefinite) {
+  for (const auto& x : {straight_cell<TypeParam>(8), curved_cell<TypeParam>(8)}) {
+    const auto M = mass<TypeParam>(x, density);
+    EXPECT_EQ(M, M.transpose());
+    EXPECT_EQ(M.llt().info(), Eigen::Success);
+  }
+}
+
+TYPED_TEST(Mass, SumsToVolumeTimesDensity) {
+  const auto x = curved_cell<TypeParam>(9);
+  EXPECT_NEAR(mass<TypeParam>(x, density).sum(), density * volume<TypeParam>(x), 1e-13 * volume<TypeParam>(x));
+}
+
+TYPED_TEST(Mass, IsUnchangedByRotationAndFarFromTheOrigin) {
+  using E = TypeParam;
+  for (const auto& cell : {straight_cell<E>(10), curved_cell<E>(10)}) {
+    const auto x = rounded<E>(cell);
+    const auto M = mass<E>(x, density);
+    const Coordinates<E> far = x.array() + 0x1p20;
+    EXPECT_EQ(M, mass<E>(far, density));
+    EXPECT_LT((mass<E>(rotation() * x, density) - M).norm(), 1e-14 * M.norm());
+  }
+}
+
+TEST(Tet10Mass, RowsOfAStraightCellSplitTheMass) {
+  const auto x = straight_cell<Tet10>(11);
+  const double m = density * volume<Tet10>(x);
+  const Vector<10> rows = mass<Tet10>(x, density).rowwise().sum();
+  for (int a = 0; a < 10; ++a) EXPECT_NEAR(rows[a], a < 4 ? -m / 20 : m / 5, 1e-14 * m);
+}
+
+TEST(Tet10Mass, ClosedFormIsTheQuadrature) {
+  const auto x = straight_cell<Tet10>(12);
+  ASSERT_TRUE(straight(x));
+  const auto expected = mass_by_quadrature<Tet10>(x, density);
+  EXPECT_LT((mass<Tet10>(x, density) - expected).norm(), 1e-14 * expected.norm());
+}
+
+TEST(Tet10Mass, TellsAlmostStraightFromStraight) {
+  auto x = straight_cell<Tet10>(13);
+  EXPECT_TRUE(straight(x));
+  x(1, 7) += 1e-13;
+  EXPECT_FALSE(straight(x));
+}
+
+TEST(Tet4Mass, IsTwoOneOverTwenty) {
+  const auto M = mass<Tet4>(reference_cell<Tet4>(), 120);
+  EXPECT_EQ(M, (MassMatrix<Tet4>(MassMatrix<Tet4>::Ones() + MassMatrix<Tet4>::Identity())));
+}
+
+}  // namespace
+}  // namespace ritz::fem::testing

@@ -1,0 +1,167 @@
+// Damage of every kind costs one sentence, never a crash or a wrong number.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "format/expect_same.hpp"
+#include "format/temporary.hpp"
+#include "ritz/base/error.hpp"
+#include "ritz/format/contents.hpp"
+#include "ritz/format/parts.hpp"
+#include "support/sample_model.hpp"
+
+namespace ritz::format {
+namespace {
+
+using test::Bytes;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+Bytes sample_bytes() {
+  const test::Folder folder;
+  write(folder / "model.h5", test::sample_model());
+  return test::load(folder / "model.h5");
+}
+
+void read_all(std::span<const std::byte> image) {
+  const ModelReader in(image);
+  for (const auto& info : contents(in)) verify(in, info);
+}
+
+std::size_t offset(const ModelReader& in, const std::string& path) {
+  const Dataset dataset(H5Dopen2(in.file(), path.c_str(), H5P_DEFAULT));
+  return H5Dget_offset(dataset.get());
+}
+
+TEST(Damage, InEachDatasetIsFoundAndNamed) {
+  const auto intact = sample_bytes();
+  const ModelReader in(intact);
+  int tried = 0;
+  for (const auto& info : contents(in)) {
+    if (info.bytes == 0) continue;
+    for (const auto at : {std::uint64_t{0}, info.bytes / 2, info.bytes - 1}) {
+      auto damaged = intact;
+      damaged[offset(in, info.path) + at] ^= std::byte{0x10};
+      EXPECT_THAT([&] { read_all(damaged); },
+                  ThrowsMessage<InputError>(AllOf(HasSubstr(info.path), HasSubstr("checksum"))))
+          << info.path;
+      ++tried;
+    }
+  }
+  EXPECT_GT(tried, 100);
+}
+
+TEST(Damage, InAnyByteIsFoundOrHarmless) {
+  const auto intact = sample_bytes();
+  int found = 0;
+  for (std::size_t at = 0; at < intact.size(); at += 17) {
+    auto damaged = intact;
+    damaged[at] ^= std::byte{0xff};
+    try {
+      test::expect_same(read(ModelReader(damaged)), test::sample_model());
+    } catch (const InputError&) {
+      ++found;
+    }
+  }
+  EXPECT_GT(found, static_cast<int>(intact.size()) / 17 / 3);
+}
+
+TEST(Damage, ByTruncationIsFoundAtAnyLength) {
+  const auto intact = sample_bytes();
+  for (std::size_t length = 0; length < intact.size(); length += 1 + length / 50)
+    EXPECT_THROW(read_all(std::span(intact).first(length)), InputError) << length;
+  EXPECT_THROW(read_all(std::span(intact).first(intact.size() - 1)), InputError);
+  EXPECT_NO_THROW(read_all(intact));
+}
+
+/// The sample with `change` done to it behind the writer's back.
+template <class Change>
+void read_changed(Change change) {
+  const test::Folder folder;
+  const auto path = folder / "model.h5";
+  write(path, test::sample_model());
+  {
+    const File file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT));
+    change(file.get());
+  }
+  read(path);
+}
+
+TEST(Damage, ByMissingObjectsIsFoundAndNamed) {
+  for (const std::string path :
+       {"/provenance", "/bodies/body/geometry", "/bodies/body/geometry/points", "/bodies/body/geometry/vertex_ids",
+        "/bodies/body/geometry/cells/types", "/bodies/body/geometry/sets/tip/rows", "/bodies/body/geometry/cells",
+        "/bodies/body/geometry/materials/young", "/bodies/body/basis", "/bodies/body/modes/eigenvalues",
+        "/bodies/body/modes/kinds", "/bodies/body/modes/certificate", "/bodies/body/inertia/gram",
+        "/bodies/body/loads/tip/total", "/report/seconds"})
+    EXPECT_THAT(([&] { read_changed([&](hid_t file) { H5Ldelete(file, path.c_str(), H5P_DEFAULT); }); }),
+                ThrowsMessage<InputError>(HasSubstr(path)))
+        << path;
+  EXPECT_THROW(read_changed([](hid_t file) { H5Ldelete(file, "/bodies", H5P_DEFAULT); }), InputError);
+  EXPECT_THROW(read_changed([](hid_t file) { H5Ldelete(file, "/bodies/body/basis/columns/0002", H5P_DEFAULT); }),
+               InputError);
+}
+
+TEST(Damage, ByMissingAttributesIsFoundAndNamed) {
+  const std::vector<std::pair<std::string, std::string>> attributes = {{"/bodies/body/geometry", "rows"},
+                                                                       {"/bodies/body/geometry/points", "checksum"},
+                                                                       {"/bodies/body/basis", "column_count"},
+                                                                       {"/bodies/body/modes/certificate", "shift"},
+                                                                       {"/provenance", "program"},
+                                                                       {"/bodies/body/loads/tip", "vertices"}};
+  for (const auto& [object, name] : attributes)
+    EXPECT_THAT(
+        ([&] { read_changed([&](hid_t f) { H5Adelete_by_name(f, object.c_str(), name.c_str(), H5P_DEFAULT); }); }),
+        ThrowsMessage<InputError>(AllOf(HasSubstr(object), HasSubstr(name))));
+}
+
+void replace(hid_t file, const std::string& path, std::vector<hsize_t> dims, hid_t type) {
+  H5Ldelete(file, path.c_str(), H5P_DEFAULT);
+  const Space space(H5Screate_simple(static_cast<int>(dims.size()), dims.data(), nullptr));
+  const Dataset made(H5Dcreate2(file, path.c_str(), type, space.get(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+}
+
+TEST(Damage, ByWrongShapesIsFoundAndNamed) {
+  const std::vector<std::pair<std::string, std::vector<hsize_t>>> shapes = {
+      {"/bodies/body/geometry/points", {4, 2}},
+      {"/bodies/body/geometry/points", {12}},
+      {"/bodies/body/geometry/points", {1'000'000'000'000, 3}},
+      {"/bodies/body/geometry/points", {}},
+      {"/bodies/body/basis/columns/0001", {4, 4}},
+      {"/bodies/body/basis/columns/0002", {5, 3}},
+      {"/bodies/body/modes/energies", {3}},
+      {"/bodies/body/inertia/origin", {4}},
+      {"/bodies/body/inertia/gram", {10, 9}},
+      {"/bodies/body/loads/tip/total", {2, 2}}};
+  for (const auto& [path, dims] : shapes)
+    EXPECT_THAT(([&] { read_changed([&](hid_t file) { replace(file, path, dims, H5T_IEEE_F64LE); }); }),
+                ThrowsMessage<InputError>(HasSubstr(path)))
+        << path;
+}
+
+TEST(Damage, ByWrongTypesIsFoundAndNamed) {
+  EXPECT_THAT(([&] {
+                read_changed([](hid_t f) { replace(f, "/bodies/body/geometry/points", {4, 3}, H5T_IEEE_F32LE); });
+              }),
+              ThrowsMessage<InputError>(HasSubstr("points has the wrong type")));
+  EXPECT_THROW(read_changed([](hid_t f) { replace(f, "/bodies/body/modes/kinds", {2}, H5T_IEEE_F64LE); }), InputError);
+}
+
+TEST(Damage, ByPartsThatDoNotFitTogetherIsFound) {
+  const test::Folder folder;
+  const auto refuses = [&](auto change) {
+    auto model = test::sample_model();
+    change(model.body);
+    write(folder / "model.h5", model);
+    EXPECT_THROW(read(folder / "model.h5"), InputError);
+  };
+  refuses([](model::Body& b) { b.basis.U = model::RowMatrix::Zero(9, 2); });
+  refuses([](model::Body& b) { b.basis.U = model::RowMatrix::Zero(12, 3); });
+  refuses([](model::Body& b) { b.geometry.cells.vertices[2] = 4; });
+  refuses([](model::Body& b) { b.geometry.cells.vertices[2] = -1; });
+  refuses([](model::Body& b) { b.geometry.sets[0].rows = {4}; });
+  refuses([](model::Body& b) { b.loads[0].total = Eigen::MatrixXd::Zero(3, 3); });
+}
+
+}  // namespace
+}  // namespace ritz::format

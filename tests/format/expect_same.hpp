@@ -1,0 +1,97 @@
+// Two models are the same, to the last bit.
+#pragma once
+#include <gtest/gtest.h>
+
+#include "ritz/model/model.hpp"
+
+namespace ritz::test {
+
+inline void expect_same(const model::Geometry& a, const model::Geometry& b) {
+  EXPECT_EQ(a.rows, b.rows);
+  EXPECT_EQ(a.full_vertices, b.full_vertices);
+  EXPECT_EQ(a.points, b.points);
+  EXPECT_EQ(a.vertex_ids, b.vertex_ids);
+  EXPECT_EQ(a.cells.vtk_types, b.cells.vtk_types);
+  EXPECT_EQ(a.cells.offsets, b.cells.offsets);
+  EXPECT_EQ(a.cells.vertices, b.cells.vertices);
+  ASSERT_EQ(a.sets.size(), b.sets.size());
+  for (std::size_t i = 0; i < a.sets.size(); ++i) {
+    EXPECT_EQ(a.sets[i].name, b.sets[i].name);
+    EXPECT_EQ(a.sets[i].rows, b.sets[i].rows);
+    EXPECT_EQ(a.sets[i].full_count, b.sets[i].full_count);
+  }
+  ASSERT_EQ(a.materials.size(), b.materials.size());
+  for (std::size_t i = 0; i < a.materials.size(); ++i) {
+    EXPECT_EQ(a.materials[i].region, b.materials[i].region);
+    EXPECT_EQ(a.materials[i].material.young, b.materials[i].material.young);
+    EXPECT_EQ(a.materials[i].material.poisson, b.materials[i].material.poisson);
+    EXPECT_EQ(a.materials[i].material.density, b.materials[i].material.density);
+  }
+}
+
+inline void expect_same(const std::optional<model::Modes>& a, const std::optional<model::Modes>& b) {
+  ASSERT_EQ(a.has_value(), b.has_value());
+  if (!a) return;
+  EXPECT_EQ(a->eigenvalues, b->eigenvalues);
+  EXPECT_EQ(a->energies, b->energies);
+  EXPECT_EQ(a->residuals, b->residuals);
+  EXPECT_EQ(a->floor_applies, b->floor_applies);
+  EXPECT_EQ(a->kinds, b->kinds);
+  EXPECT_EQ(a->orthonormality, b->orthonormality);
+  EXPECT_EQ(a->certificate.kind, b->certificate.kind);
+  EXPECT_EQ(a->certificate.shift, b->certificate.shift);
+  EXPECT_EQ(a->certificate.counted, b->certificate.counted);
+  EXPECT_EQ(a->certificate.found, b->certificate.found);
+}
+
+inline void expect_same(const std::optional<model::Inertia>& a, const std::optional<model::Inertia>& b) {
+  ASSERT_EQ(a.has_value(), b.has_value());
+  if (!a) return;
+  EXPECT_EQ(a->origin, b->origin);
+  EXPECT_EQ(a->gram, b->gram);
+}
+
+inline void expect_same(const std::vector<model::SetLoad>& a, const std::vector<model::SetLoad>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].set, b[i].set);
+    EXPECT_EQ(a[i].vertices, b[i].vertices);
+    EXPECT_EQ(a[i].total, b[i].total);
+    EXPECT_EQ(a[i].has_surface, b[i].has_surface);
+    EXPECT_EQ(a[i].area, b[i].area);
+    EXPECT_EQ(a[i].pressure, b[i].pressure);
+    EXPECT_EQ(a[i].traction, b[i].traction);
+  }
+}
+
+inline void expect_same(const model::Provenance& a, const model::Provenance& b) {
+  EXPECT_EQ(a.program, b.program);
+  EXPECT_EQ(a.versions, b.versions);
+  EXPECT_EQ(a.options, b.options);
+  EXPECT_EQ(a.mesh_checksum, b.mesh_checksum);
+  EXPECT_EQ(a.problem_checksum, b.problem_checksum);
+  EXPECT_EQ(a.ranks, b.ranks);
+}
+
+inline void expect_same(const model::Report& a, const model::Report& b) {
+  ASSERT_EQ(a.seconds.size(), b.seconds.size());
+  for (std::size_t i = 0; i < a.seconds.size(); ++i) {
+    EXPECT_EQ(a.seconds[i].stage, b.seconds[i].stage);
+    EXPECT_EQ(a.seconds[i].seconds, b.seconds[i].seconds);
+  }
+  EXPECT_EQ(a.figures, b.figures);
+  EXPECT_EQ(a.notes, b.notes);
+}
+
+inline void expect_same(const model::Model& a, const model::Model& b) {
+  EXPECT_EQ(a.body.name, b.body.name);
+  expect_same(a.body.geometry, b.body.geometry);
+  EXPECT_EQ(a.body.basis.U, b.body.basis.U);
+  expect_same(a.body.modes, b.body.modes);
+  expect_same(a.body.inertia, b.body.inertia);
+  expect_same(a.body.loads, b.body.loads);
+  expect_same(a.provenance, b.provenance);
+  expect_same(a.report, b.report);
+}
+
+}  // namespace ritz::test

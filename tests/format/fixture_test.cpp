@@ -1,0 +1,21 @@
+// A file of every released version of the format stays readable. New ones are made by write_sample_model.
+#include <gtest/gtest.h>
+
+#include "format/expect_same.hpp"
+#include "format/temporary.hpp"
+#include "ritz/format/contents.hpp"
+#include "ritz/format/parts.hpp"
+#include "support/sample_model.hpp"
+
+namespace ritz::format {
+namespace {
+
+TEST(Fixture, OfVersion10IsRead) {
+  const ModelReader in(std::filesystem::path(RITZ_SOURCE "/tests/format/fixtures/model-1.0.h5"));
+  EXPECT_EQ(in.minor_version(), 0);
+  test::expect_same(read(in), test::sample_model());
+  for (const auto& info : contents(in)) EXPECT_NO_THROW(verify(in, info));
+}
+
+}  // namespace
+}  // namespace ritz::format

@@ -1,0 +1,58 @@
+"""A model as NumPy's users see it: checksums by the README's recipe, the view U, hard links, units."""
+import os
+import subprocess
+import sys
+import tempfile
+
+try:
+    import h5py
+    import numpy as np
+except ImportError:
+    sys.exit(77)
+
+MASK = 2**64 - 1
+
+
+def split_mix(x):
+    x = (x + 0x9E3779B97F4A7C15) & MASK
+    x = ((x ^ (x >> 30)) * 0xBF58476D1CE4E5B9) & MASK
+    x = ((x ^ (x >> 27)) * 0x94D049BB133111EB) & MASK
+    return x ^ (x >> 31)
+
+
+def checksum(array):
+    total = 0
+    for number, row in enumerate(array):
+        data = np.asarray(row).tobytes()
+        data = data.ljust(-(-len(data) // 8) * 8, b"\0")
+        value = split_mix(number)
+        for at in range(0, len(data), 8):
+            value = split_mix(value ^ int.from_bytes(data[at : at + 8], "little"))
+        total = (total + value) & MASK
+    return total
+
+
+def check(name, item):
+    if not isinstance(item, h5py.Dataset):
+        return
+    assert item.attrs["units"], name
+    if item.is_virtual:
+        return
+    stored = np.empty(item.shape, item.dtype)
+    if item.size:
+        item.read_direct(stored)
+    assert int(item.attrs["checksum"]) == checksum(stored), name
+
+
+with tempfile.TemporaryDirectory() as folder:
+    path = os.path.join(folder, "model.h5")
+    subprocess.run([os.path.join(os.environ["RITZ_BIN"], "write_sample_model"), path], check=True)
+    with h5py.File(path) as file:
+        assert file.attrs["format"] == b"ritz-model" and list(file.attrs["version"]) == [1, 0]
+        file.visititems(check)
+        basis = file["bodies/body/basis"]
+        columns = [basis["columns"][name][...].ravel() for name in sorted(basis["columns"])]
+        assert np.array_equal(basis["U"][...], np.column_stack(columns)) and abs(basis["U"][2, 0] - 0.5**0.5) < 1e-15
+        assert file["VTKHDF/PointData/mode_0002"] == basis["columns/0002"]
+        assert file["VTKHDF/Points"] == file["bodies/body/geometry/points"]
+        assert dict(file["provenance/options"][...].tolist())[b"-modes"] == b"2"

@@ -1,0 +1,24 @@
+"""A model as ParaView sees it: VTK's own reader finds the grid and the modes as point vectors."""
+import os
+import subprocess
+import sys
+import tempfile
+
+try:
+    from vtkmodules.vtkIOHDF import vtkHDFReader
+except ImportError:
+    sys.exit(77)
+
+with tempfile.TemporaryDirectory() as folder:
+    path = os.path.join(folder, "model.h5")
+    subprocess.run([os.path.join(os.environ["RITZ_BIN"], "write_sample_model"), path], check=True)
+    reader = vtkHDFReader()
+    reader.SetFileName(os.path.join(folder, "model.vtkhdf"))
+    reader.Update()
+    grid = reader.GetOutput()
+    assert grid.GetNumberOfPoints() == 4 and grid.GetNumberOfCells() == 1 and grid.GetCellType(0) == 10
+    assert grid.GetPoint(1) == (1, 0, 0)
+    vectors = grid.GetPointData()
+    assert [vectors.GetArrayName(i) for i in range(vectors.GetNumberOfArrays())] == ["mode_0001", "mode_0002"]
+    assert abs(vectors.GetArray("mode_0001").GetTuple(0)[2] - 0.5**0.5) < 1e-15
+    assert vectors.GetArray("mode_0002").GetTuple(0) == (0, 0, 0)

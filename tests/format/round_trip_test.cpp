@@ -1,0 +1,118 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include "format/expect_same.hpp"
+#include "format/temporary.hpp"
+#include "ritz/format/contents.hpp"
+#include "ritz/format/parts.hpp"
+#include "support/sample_model.hpp"
+
+namespace ritz::format {
+namespace {
+
+using test::expect_same;
+using test::Folder;
+using test::sample_model;
+
+TEST(RoundTrip, KeepsEveryPart) {
+  const Folder folder;
+  const auto path = folder / "model.h5";
+  write(path, sample_model());
+  expect_same(read(path), sample_model());
+}
+
+TEST(RoundTrip, KeepsAbsentPartsAbsent) {
+  const Folder folder;
+  const auto path = folder / "model.h5";
+  auto model = sample_model();
+  model.body.modes.reset();
+  model.body.inertia.reset();
+  model.body.loads.clear();
+  model.body.geometry.sets.clear();
+  model.body.geometry.materials.clear();
+  model.provenance.options.clear();
+  model.report = {};
+  write(path, model);
+
+  const ModelReader in(path);
+  expect_same(read(in), model);
+  EXPECT_TRUE(in.has(schema::geometry));
+  EXPECT_TRUE(in.has(schema::basis));
+  EXPECT_FALSE(in.has(schema::modes));
+  EXPECT_FALSE(in.has(schema::inertia));
+  EXPECT_FALSE(in.has(schema::loads));
+}
+
+TEST(RoundTrip, KeepsTheSurfaceOfALargerMesh) {
+  const Folder folder;
+  auto model = sample_model();
+  model.body.geometry.rows = model::Rows::surface;
+  model.body.geometry.full_vertices = 1'000'000'000'000;
+  model.body.geometry.cells = {{5, 9}, {0, 3, 7}, {0, 1, 2, 0, 1, 2, 3}};
+  write(folder / "model.h5", model);
+  expect_same(read(folder / "model.h5"), model);
+}
+
+TEST(RoundTrip, KeepsOddNumbersAndNames) {
+  const Folder folder;
+  auto model = sample_model();
+  model.body.name = "upper arm";
+  model.body.modes->residuals << std::numeric_limits<double>::denorm_min(), std::numeric_limits<double>::infinity();
+  model.body.geometry.sets.clear();
+  for (const auto* name : {"z last first", "", ".", "..", "%2F", "a/b/c", "%", "größe", "new\nline"})
+    model.body.geometry.sets.push_back({name, {0}, 1});
+  write(folder / "model.h5", model);
+  expect_same(read(folder / "model.h5"), model);
+  EXPECT_EQ(ModelReader(folder / "model.h5").bodies(), std::vector<std::string>{"upper arm"});
+}
+
+TEST(RoundTrip, KeepsEveryKindOfCertificate) {
+  const Folder folder;
+  for (const auto kind : {model::Certified::no, model::Certified::probabilistic, model::Certified::inertia_f32}) {
+    auto model = sample_model();
+    model.body.modes->certificate.kind = kind;
+    model.body.modes->kinds[0] = model::ModeKind::rigid;
+    write(folder / "model.h5", model);
+    expect_same(read(folder / "model.h5"), model);
+  }
+}
+
+TEST(RoundTrip, ReadsFromMemory) {
+  const Folder folder;
+  write(folder / "model.h5", sample_model());
+  auto image = test::load(folder / "model.h5");
+  const ModelReader in(image, "a blob");
+  std::ranges::fill(image, std::byte{0});  // the reader keeps its own copy
+  expect_same(read(in), sample_model());
+}
+
+TEST(RoundTrip, GivesTheSameBytesEachTime) {
+  const Folder folder;
+  write(folder / "one.h5", sample_model());
+  write(folder / "two.h5", sample_model());
+  EXPECT_EQ(test::load(folder / "one.h5"), test::load(folder / "two.h5"));
+}
+
+TEST(Contents, ListsEachDatasetOnceWithItsUnits) {
+  const Folder folder;
+  write(folder / "model.h5", sample_model());
+  const ModelReader in(folder / "model.h5");
+  std::map<std::string, DatasetInfo> found;
+  for (const auto& info : contents(in)) {
+    EXPECT_TRUE(found.emplace(info.path, info).second);
+    EXPECT_FALSE(info.units.empty()) << info.path;
+    EXPECT_NO_THROW(verify(in, info));
+  }
+  EXPECT_EQ(found.at("/bodies/body/geometry/points").units, "m");
+  EXPECT_EQ(found.at("/bodies/body/geometry/points").bytes, 4u * 3 * 8);
+  EXPECT_EQ(found.at("/bodies/body/basis/columns/0002").shape, (std::vector<std::int64_t>{4, 3}));
+  EXPECT_EQ(found.at("/bodies/body/basis/U").shape, (std::vector<std::int64_t>{12, 2}));
+  EXPECT_TRUE(found.at("/bodies/body/basis/U").is_virtual);
+  EXPECT_EQ(found.count("/VTKHDF/Points"), 0u);
+}
+
+}  // namespace
+}  // namespace ritz::format

@@ -1,0 +1,26 @@
+// Loads a model and lets it ring after a blow: prints u_z of its second vertex after one second.
+#include <cstdio>
+
+#include "ritz/format/parts.hpp"
+#include "ritz/runtime/integrators.hpp"
+#include "ritz/runtime/reconstruction.hpp"
+#include "ritz/runtime/step.hpp"
+
+int main(int argc, char** argv) {
+  if (argc != 2) return 2;
+  const ritz::format::ModelReader file(argv[1]);
+  const auto modes = ritz::format::read_modes(file);
+  const auto basis = ritz::format::read_basis(file);
+
+  using namespace ritz::runtime;
+  const Oscillators model = make_oscillators(*modes, {});
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(model.size());
+  const Eigen::VectorXd blow = basis.U.row(5).transpose();  // 1 kg m/s upon vertex 1, along z
+  State state = make_state(model, exact(), rest, blow, rest);
+  Workspace workspace = make_workspace(model, exact(), 0.01);
+  for (int n = 0; n < 100; ++n) step(model, state, {rest, rest}, 0.01, workspace);
+
+  ritz::model::Points u(basis.U.rows() / 3, 3);
+  reconstruct(basis, state.z(), u);
+  std::printf("%.15g\n", u(1, 2));
+}

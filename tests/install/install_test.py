@@ -1,0 +1,100 @@
+"""Builds ritz without its precomputation, installs it, and uses it from another project.
+
+    install_test.py SOURCE WORK      WORK is kept, so that a second run is quick
+"""
+import math
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+PARALLEL = re.compile(r"mpi|petsc|slepc|metis|open-rte", re.IGNORECASE)
+LAYERS = {"base", "fem", "model", "runtime", "format"}
+
+
+def run(*words):
+    done = subprocess.run([str(word) for word in words], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    if done.returncode != 0:
+        sys.exit(f"failed: {' '.join(map(str, words))}\n{done.stdout}")
+    return done.stdout
+
+
+def needed(program):
+    """The names of all libraries that a program loads, its libraries' libraries too."""
+    return set(re.findall(r"^\s*(\S+)", run("ldd", program), re.MULTILINE)) | set(
+        re.findall(r"\(NEEDED\).*\[(.*)\]", run("readelf", "-d", program)))
+
+
+def expect(true, message):
+    if not true:
+        sys.exit(message)
+
+
+def build_and_install(source, work, prefix):
+    build = work / "ritz"
+    run("cmake", "-S", source, "-B", build, "-DRITZ_PRECOMPUTE=OFF", "-DRITZ_TESTS=OFF", "-DRITZ_WERROR=ON")
+    cache = (build / "CMakeCache.txt").read_text()
+    expect(not re.search(r"^(PETSC|SLEPC|MPI_C)_FOUND", cache, re.MULTILINE), "a build without MPI looked for it")
+    run("cmake", "--build", build, "--parallel", "2")
+    shutil.rmtree(prefix, ignore_errors=True)
+    run("cmake", "--install", build, "--prefix", prefix)
+
+
+def check_tree(prefix):
+    include = prefix / "include" / "ritz"
+    expect({path.name for path in include.iterdir()} == LAYERS, f"{include} holds {sorted(include.iterdir())}")
+    expect({path.name for path in (prefix / "bin").iterdir()} == {"ritz-run", "ritz-inspect"}, "other programs in bin")
+    for path in prefix.rglob("*.cmake"):
+        expect(str(prefix.parent) not in path.read_text(), f"{path} names the folder it was built in")
+
+
+def use_from_outside(consumer, work, prefix, model):
+    build = work / "consumer"
+    shutil.rmtree(build, ignore_errors=True)
+    run("cmake", "-S", consumer, "-B", build, f"-DCMAKE_PREFIX_PATH={prefix}")
+    run("cmake", "--build", build)
+    played = float(run(build / "play", model))
+    expect(abs(played - math.sin(3) / 6) < 1e-13, f"the consumer's motion is {played}, not sin(3)/6")
+    expect(abs(float(run(build / "oscillate")) - math.cos(2)) < 1e-15, "the consumer's oscillator is out of tune")
+    return build
+
+
+def check_links(prefix, build):
+    for program in (prefix / "bin" / "ritz-run", prefix / "bin" / "ritz-inspect", build / "play", build / "oscillate"):
+        libraries = needed(program)
+        expect(any("libc.so" in library for library in libraries), f"nothing seen in {program}")
+        expect(not any(map(PARALLEL.search, libraries)), f"{program} needs {sorted(libraries)}")
+    expect(any("hdf5_serial" in library for library in needed(build / "play")), "the consumer reads without HDF5?")
+    expect(not any("hdf5" in library for library in needed(build / "oscillate")), "ritz::runtime brings HDF5")
+
+
+def check_refusal(work, prefix):
+    """A component that ritz does not have is named."""
+    folder = work / "refused"
+    folder.mkdir(exist_ok=True)
+    (folder / "CMakeLists.txt").write_text("cmake_minimum_required(VERSION 3.22)\nproject(p LANGUAGES CXX)\n"
+                                           "find_package(ritz REQUIRED COMPONENTS stages)\n")
+    done = subprocess.run(["cmake", "-S", folder, "-B", folder / "build", f"-DCMAKE_PREFIX_PATH={prefix}"],
+                          capture_output=True, text=True)
+    expect(done.returncode != 0 and "no component 'stages'" in " ".join(done.stderr.split()), done.stderr)
+
+
+def main():
+    source, work = map(Path, sys.argv[1:])
+    work.mkdir(parents=True, exist_ok=True)
+    prefix = work / "prefix"
+    build_and_install(source, work, prefix)
+    check_tree(prefix)
+    model = work / "model.h5"
+    run(Path(os.environ["RITZ_BIN"]) / "sample_model", model)
+    build = use_from_outside(source / "tests" / "install" / "consumer", work, prefix, model)
+    check_links(prefix, build)
+    check_refusal(work, prefix)
+    run(prefix / "bin" / "ritz-run", "--help")
+    print("ritz installs, and another project runs on it")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,44 @@
+// SLEPc's two solvers against the chain's closed spectrum.
+#include "ritz/petsc/eigensolver.hpp"
+
+#include <gtest/gtest.h>
+
+#include "petsc/chain.hpp"
+
+namespace ritz::petsc {
+namespace {
+
+using namespace test;
+
+constexpr PetscInt n = 60;
+constexpr int wanted = 6;
+
+class Eigensolver : public testing::Test {
+ protected:
+  Matrix K = tridiagonal(n, 2, -1), M = tridiagonal(n, 1, 0);
+  const Tall none = Tall(my_rows(n).count, 0);
+
+  void check_pairs(const EigenPairs& pairs, int from, double tolerance) const {
+    ASSERT_EQ(pairs.values.size(), wanted);
+    for (int j = 0; j < wanted; ++j) EXPECT_NEAR(pairs.values[j] / chain_eigenvalue(n, from + j), 1, tolerance) << j;
+    const Tall residual = multiply(K, pairs.vectors) - pairs.vectors * pairs.values.asDiagonal();
+    EXPECT_LE(column_norms(world, residual).maxCoeff(), 10 * tolerance);
+  }
+};
+
+TEST_F(Eigensolver, KrylovSchurFindsTheSmallest) {
+  check_pairs(krylov_schur(K, M, 0, none, wanted, 1e-12), 1, 1e-10);
+}
+
+TEST_F(Eigensolver, KrylovSchurKeepsOutWhatIsDeflated) {
+  const auto first = krylov_schur(K, M, 0, none, wanted, 1e-12);
+  check_pairs(krylov_schur(K, M, -0.01, first.vectors, wanted, 1e-12), 1 + wanted, 1e-9);
+}
+
+TEST_F(Eigensolver, DavidsonFindsTheSmallestWithoutAFactorization) {
+  const Tall constant = Tall::Ones(my_rows(n).count, 1);
+  check_pairs(davidson(K, M, K, constant, none, none, wanted, 1e-9), 1, 1e-7);
+}
+
+}  // namespace
+}  // namespace ritz::petsc

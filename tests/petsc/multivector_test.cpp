@@ -1,0 +1,62 @@
+// Products of distributed tall matrices against Eigen's on the whole.
+#include "ritz/petsc/multivector.hpp"
+
+#include <gtest/gtest.h>
+
+#include "petsc/chain.hpp"
+
+namespace ritz::petsc {
+namespace {
+
+using namespace test;
+
+constexpr PetscInt n = 23;
+
+TEST(Multivector, MultipliesColumnByColumn) {
+  const Matrix A = tridiagonal(n, 3, -0.5);
+  const auto x = whole_random(n, 4, 1);
+  const Tall y = multiply(A, my_part(x));
+  EXPECT_LE(max_over_ranks(y - my_part(dense(n, 3, -0.5) * x)), 1e-15);
+  EXPECT_EQ(multiply(A, my_part(x).leftCols(0)).cols(), 0);
+}
+
+TEST(Multivector, MultipliesIntoPartsOfAnother) {
+  const Matrix A = tridiagonal(n, 3, -0.5);
+  const auto x = whole_random(n, 2, 2);
+  Tall y = Tall::Constant(my_rows(n).count, 4, 7);
+  multiply(A, my_part(x), y.middleCols(1, 2));
+  EXPECT_LE(max_over_ranks(y.middleCols(1, 2) - my_part(dense(n, 3, -0.5) * x)), 1e-15);
+  EXPECT_LE(max_over_ranks((y.col(0).array() - 7).matrix()) + max_over_ranks((y.col(3).array() - 7).matrix()), 0);
+}
+
+TEST(Multivector, InnerProductsAreWholeOnEachRank) {
+  const auto x = whole_random(n, 3, 3), y = whole_random(n, 5, 4);
+  const Eigen::MatrixXd product = inner(world, my_part(x), my_part(y));
+  EXPECT_LE((product - x.transpose() * y).cwiseAbs().maxCoeff(), 1e-14);
+  Eigen::MatrixXd highest = product, lowest = product;
+  MPI_Allreduce(MPI_IN_PLACE, highest.data(), static_cast<int>(highest.size()), MPI_DOUBLE, MPI_MAX, world);
+  MPI_Allreduce(MPI_IN_PLACE, lowest.data(), static_cast<int>(lowest.size()), MPI_DOUBLE, MPI_MIN, world);
+  EXPECT_EQ(highest, lowest);
+}
+
+TEST(Multivector, ColumnNorms) {
+  const auto x = whole_random(n, 6, 5);
+  const Eigen::VectorXd expected = x.colwise().norm();
+  EXPECT_LE((column_norms(world, my_part(x)) - expected).cwiseAbs().maxCoeff(), 1e-14);
+}
+
+TEST(Multivector, DenseViewsShareTheirNumbers) {
+  Tall x = my_part(whole_random(n, 3, 6));
+  const Matrix view = as_dense(world, x);
+  PetscInt rows = 0, columns = 0;
+  MatGetSize(view, &rows, &columns);
+  EXPECT_EQ(rows, n);
+  EXPECT_EQ(columns, 3);
+  x *= 2;
+  PetscReal norm = 0;
+  MatNorm(view, NORM_FROBENIUS, &norm);
+  EXPECT_NEAR(norm, 2 * whole_random(n, 3, 6).norm(), 1e-13);
+}
+
+}  // namespace
+}  // namespace ritz::petsc

@@ -1,0 +1,102 @@
+// What is wrong in a scene costs one sentence with the file, the line and the remedy.
+#include <gmock/gmock.h>
+
+#include "ritz/base/error.hpp"
+#include "ritz/scene/scene.hpp"
+#include "scene/temporary_scene.hpp"
+
+namespace ritz::scene {
+namespace {
+
+struct Bad {
+  std::string text;
+  std::string complaint;  ///< what follows the file's name: ":LINE: ..." or a part of it
+};
+
+const std::string time = "[time]\nstep = 0.1\nend = 1\n";  // three lines
+
+const std::vector<Bad> bad_scenes = {
+    {"", "needs [time] (step, end) or [static] (steps)"},
+    {"[time\nstep = 1", ":1: not valid TOML"},
+    {"[time]\nstep = 1\nstep = 2\nend = 3", ":3: not valid TOML"},
+    {"[time]\nstep = = 1", ":2: not valid TOML"},
+    {"\xff\xfe", "not valid TOML"},
+    {"gravty = [0, 0, -9.81]\n" + time, ":1: unknown key 'gravty' in the scene; did you mean 'gravity'?"},
+    {"[time]\nstpe = 0.1\nend = 1", ":2: unknown key 'stpe' in [time]; did you mean 'step'?"},
+    {"[time]\nend = 1", "[time] needs the key 'step'"},
+    {"[time]\nstep = 1", "[time] needs the key 'end'"},
+    {"[time]\nstep = '0.1'\nend = 1", ":2: 'step' of [time] must be a number"},
+    {"[time]\nstep = 0\nend = 1", ":2: 'step' of [time] must be greater than 0"},
+    {"[time]\nstep = -0.1\nend = 1", ":2: 'step' of [time] must be greater than 0"},
+    {"[time]\nstep = nan\nend = 1", ":2: 'step' of [time] must be a finite number"},
+    {"[time]\nstep = 0.1\nend = inf", ":3: 'end' of [time] must be a finite number"},
+    {"[time]\nstep = 1\nend = 0.5", ":3: 'end' of [time] must not be less than 'step'"},
+    {"[time]\nstep = 1e-300\nend = 1", ":2: 'step' of [time] makes more than 1e12 steps"},
+    {time + "integrator = 'newmarc'", ":4: unknown integrator 'newmarc'; did you mean 'newmark'?"},
+    {time + "integrator = 3", ":4: 'integrator' of [time] must be a string"},
+    {"time = 3", ":1: [time] must be a table of keys"},
+    {time + "[static]\nsteps = 3", "the scene has both 'time' and 'static': keep one of them"},
+    {"[static]", "[static] needs the key 'steps'"},
+    {"[static]\nsteps = 0", ":2: 'steps' of [static] must be from 1 to 1000000"},
+    {"[static]\nsteps = 2.5", ":2: 'steps' of [static] must be a whole number"},
+    {"[static]\nsteps = 2\n[shake]\ndirection = [1, 0, 0]\ntable = [[0, 1]]", ":3: [shake] needs [time]"},
+    {time + "[damping]\nalpha = -1", ":5: 'alpha' of [damping] must not be negative"},
+    {time + "[damping]\nratio = [0.1, -0.1]", ":5: 'ratio' of [damping] must not be negative"},
+    {time + "[damping]\nratio = ['a']", ":5: 'ratio' of [damping] must be a number"},
+    {time + "[damping]\ngamma = 1", ":5: unknown key 'gamma' in [damping]; did you mean"},
+    {"gravity = 9.81\n" + time, ":1: 'gravity' of the scene must be an array of numbers"},
+    {"gravity = [0, -9.81]\n" + time, ":1: 'gravity' of the scene must have three components"},
+    {"gravity = [0, 0, nan]\n" + time, ":1: 'gravity' of the scene must be a finite number"},
+    {time + "[shake]\ntable = [[0, 1]]", ":4: [shake] needs the key 'direction'"},
+    {time + "[shake]\ndirection = [1, 0, 0]\ntable = []", ":6: 'table' of [shake] must have at least one pair"},
+    {time + "[shake]\ndirection = [1, 0, 0]\ntable = [[0, 1], [1]]",
+     ":6: each row of 'table' of [shake] must be a pair"},
+    {time + "[shake]\ndirection = [1, 0, 0]\ntable = [0, 1]", ":6: 'table' of [shake] must be an array of numbers"},
+    {time + "[shake]\ndirection = [1, 0, 0]\ntable = [[1, 1], [0, 1]]",
+     ":6: the times of 'table' of [shake] must ascend"},
+    {time + "[shake]\ndirection = [1, 0, 0]\ntable = [[0, 1],\n[0, 2]]",
+     ":7: the times of 'table' of [shake] must ascend"},
+    {time + "[load]\nset = 'a'\ntotal = [0, 0, 1]", ":4: [[load]] must be an array of tables"},
+    {"load = [1, 2]\n" + time, ":1: [[load]] must be a table of keys"},
+    {time + "[[load]]\ntotal = [0, 0, 1]", ":4: [[load]] needs a 'set' or a 'vertex'"},
+    {time + "[[load]]\nset = 'a'", ":4: [[load]] needs one of 'total', 'each', 'pressure' and 'traction'"},
+    {time + "[[load]]\nset = 'a'\nvertex = 1\ntotal = [0, 0, 1]", ":6: [[load]] has both 'set' and 'vertex'"},
+    {time + "[[load]]\nset = 'a'\ntotal = [0, 0, 1]\neach = [0, 0, 1]", ":7: [[load]] has both 'total' and 'each'"},
+    {time + "[[load]]\nset = 5\ntotal = [0, 0, 1]", ":5: 'set' of [[load]] must be a string"},
+    {time + "[[load]]\nvertex = '5'\ntotal = [0, 0, 1]", ":5: 'vertex' of [[load]] must be a whole number"},
+    {time + "[[load]]\nvertex = 5\npressure = 1", ":6: 'pressure' of [[load]] acts on a surface set, not on a vertex"},
+    {time + "[[load]]\nset = 'a'\npressure = [1, 2, 3]", ":6: 'pressure' of [[load]] must be a number"},
+    {time + "[[load]]\nset = 'a'\ntotal = 5", ":6: 'total' of [[load]] must be an array of numbers"},
+    {time + "[[load]]\nset = 'a'\ntotl = [0, 0, 1]", ":6: unknown key 'totl' in [[load]]; did you mean 'total'?"},
+    {time + "[[load]]\nset = 'a'\ntotal = [0, 0, 1]\ntable = [[0, inf]]",
+     ":7: 'table' of [[load]] must be a finite number"},
+    {time + "[[probe]]\nset = 'a'", ":4: [[probe]] needs the key 'name'"},
+    {time + "[[probe]]\nname = 'a'", ":4: [[probe]] needs a 'set' or a 'vertex'"},
+    {time + "[[probe]]\nname = 'a,b'\nset = 'a'", ":5: 'name' of [[probe]] heads a column"},
+    {time + "[[probe]]\nname = ''\nset = 'a'", ":5: 'name' of [[probe]] heads a column"},
+    {time + "[[probe]]\nname = 'p'\nset = 'a'\n[[probe]]\nname = 'p'\nset = 'b'", ":8: two probes are named 'p'"},
+};
+
+TEST(BadScenes, EachCostsOneSentence) {
+  for (const auto& bad : bad_scenes) {
+    const test::TemporaryScene file(bad.text);
+    try {
+      read(file.path());
+      ADD_FAILURE() << "was accepted:\n" << bad.text;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), testing::StartsWith(file.path().string() + ":")) << bad.text;
+      EXPECT_THAT(error.what(), testing::HasSubstr(bad.complaint)) << bad.text;
+      EXPECT_THAT(error.what(), testing::Not(testing::HasSubstr("\n"))) << bad.text;
+    } catch (const std::exception& error) {
+      ADD_FAILURE() << "threw something else, " << error.what() << ", for:\n" << bad.text;
+    }
+  }
+}
+
+TEST(BadScenes, AFileThatCannotBeRead) {
+  EXPECT_THROW(read("/nowhere/scene.toml"), InputError);
+  EXPECT_THROW(read(std::filesystem::temp_directory_path()), InputError);
+}
+
+}  // namespace
+}  // namespace ritz::scene

@@ -1,0 +1,134 @@
+#include "ritz/scene/scene.hpp"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "scene/temporary_scene.hpp"
+
+namespace ritz::scene {
+namespace {
+
+using testing::ElementsAre;
+using testing::Pair;
+
+TEST(Scene, EveryKey) {
+  const test::TemporaryScene file(R"(
+gravity = [0, 0, -9.81]
+[time]
+step = 1e-3
+end = 2
+integrator = "generalized-alpha"
+[damping]
+alpha = 0.1
+beta = 1e-4
+ratio = [0.01, 0.02]
+[shake]
+direction = [1, 0, 0]
+table = [[0, 0], [1, 2.5]]
+[[load]]
+set = "tip"
+total = [0, 0, -1]
+table = [[0, 0], [0.5, 1], [1, 0]]
+[[load]]
+vertex = 17
+each = [1, 2, 3]
+[[load]]
+set = "skin"
+pressure = 1e5
+[[load]]
+set = "skin"
+traction = [1, 0, 0]
+[[probe]]
+name = "tip"
+set = "tip"
+[[probe]]
+name = "v"
+vertex = 4
+)");
+  const Scene scene = read(file.path());
+  const auto& time = std::get<Time>(scene.analysis);
+  EXPECT_EQ(time.step, 1e-3);
+  EXPECT_EQ(time.end, 2);
+  EXPECT_EQ(time.integrator, Integrator::generalized_alpha);
+  EXPECT_EQ(scene.damping.alpha, .1);
+  EXPECT_EQ(scene.damping.beta, 1e-4);
+  EXPECT_THAT(scene.damping.ratio, ElementsAre(.01, .02));
+  EXPECT_THAT(scene.gravity, testing::Optional(ElementsAre(0, 0, -9.81)));
+  EXPECT_THAT(scene.shake->direction, ElementsAre(1, 0, 0));
+  EXPECT_THAT(scene.shake->table.points, ElementsAre(Pair(0, 0), Pair(1, 2.5)));
+  ASSERT_EQ(scene.loads.size(), 4u);
+  EXPECT_EQ(std::get<std::string>(scene.loads[0].target), "tip");
+  EXPECT_THAT(std::get<TotalForce>(scene.loads[0].kind).newton, ElementsAre(0, 0, -1));
+  EXPECT_THAT(scene.loads[0].table->points, ElementsAre(Pair(0, 0), Pair(.5, 1), Pair(1, 0)));
+  EXPECT_EQ(std::get<std::int64_t>(scene.loads[1].target), 17);
+  EXPECT_THAT(std::get<EachForce>(scene.loads[1].kind).newton, ElementsAre(1, 2, 3));
+  EXPECT_FALSE(scene.loads[1].table);
+  EXPECT_EQ(std::get<Pressure>(scene.loads[2].kind).pascal, 1e5);
+  EXPECT_THAT(std::get<Traction>(scene.loads[3].kind).pascal, ElementsAre(1, 0, 0));
+  ASSERT_EQ(scene.probes.size(), 2u);
+  EXPECT_EQ(scene.probes[0].name, "tip");
+  EXPECT_EQ(std::get<std::int64_t>(scene.probes[1].target), 4);
+}
+
+TEST(Scene, TheLeastScenes) {
+  const Scene dynamic = read(test::TemporaryScene("time = {step = 1, end = 1}").path());
+  EXPECT_FALSE(std::get<Time>(dynamic.analysis).integrator);
+  EXPECT_FALSE(dynamic.gravity);
+  EXPECT_EQ(std::get<Static>(read(test::TemporaryScene("[static]\nsteps = 4").path()).analysis).steps, 4);
+}
+
+TEST(Scene, LineEndingsOfWindows) {
+  const Scene scene = read(test::TemporaryScene("[time]\r\nstep = 0.5\r\nend = 1\r\n").path());
+  EXPECT_EQ(std::get<Time>(scene.analysis).step, .5);
+}
+
+TEST(Scene, OneRatioForAllModes) {
+  const Scene scene = read(test::TemporaryScene("time = {step = 1, end = 1}\ndamping = {ratio = 0.05}").path());
+  EXPECT_THAT(scene.damping.ratio, ElementsAre(.05));
+}
+
+TEST(Scene, EveryIntegratorByItsName) {
+  for (std::size_t i = 0; i < integrator_names.size(); ++i) {
+    const std::string text = "[time]\nstep = 1\nend = 1\nintegrator = '" + std::string(integrator_names[i]) + "'";
+    EXPECT_EQ(std::get<Time>(read(test::TemporaryScene(text).path()).analysis).integrator, static_cast<Integrator>(i));
+  }
+}
+
+TEST(Table, IsLinearBetweenAndHeldOutside) {
+  const Table table{{{1, 10}, {2, 20}, {4, -20}}};
+  EXPECT_EQ(table.at(-5), 10);
+  EXPECT_EQ(table.at(1), 10);
+  EXPECT_EQ(table.at(1.25), 12.5);
+  EXPECT_EQ(table.at(2), 20);
+  EXPECT_EQ(table.at(3), 0);
+  EXPECT_EQ(table.at(4), -20);
+  EXPECT_EQ(table.at(1e9), -20);
+  EXPECT_EQ((Table{{{0, 3}}}).at(7), 3);
+}
+
+TEST(Time, CountsSteps) {
+  EXPECT_EQ(step_count({.step = .1, .end = 1, .integrator = {}}), 10);
+  EXPECT_EQ(step_count({.step = .3, .end = 1, .integrator = {}}), 4);
+  EXPECT_EQ(step_count({.step = 1, .end = 1, .integrator = {}}), 1);
+  EXPECT_EQ(step_count({.step = 1. / 44100, .end = 10, .integrator = {}}), 441000);
+}
+
+TEST(Factor, RampsInStaticsUnlessTheLoadHasATable) {
+  Scene scene{.analysis = Time{.step = 1, .end = 2, .integrator = {}},
+              .damping = {},
+              .gravity = {},
+              .shake = {},
+              .loads = {},
+              .probes = {}};
+  const Table half{{{0, .5}}};
+  EXPECT_EQ(factor(scene, {}, .25), 1);
+  EXPECT_EQ(factor(scene, half, .25), .5);
+  scene.analysis = Static{4};
+  EXPECT_EQ(factor(scene, {}, .25), .25);
+  EXPECT_EQ(factor(scene, half, .25), .5);
+}
+
+}  // namespace
+}  // namespace ritz::scene

@@ -1,0 +1,157 @@
+#include "ritz/tools/inspect.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <functional>
+#include <limits>
+#include <sstream>
+
+#include "format/temporary.hpp"
+#include "ritz/base/error.hpp"
+#include "ritz/format/parts.hpp"
+#include "ritz/tools/inspect_check.hpp"
+#include "ritz/tools/inspect_text.hpp"
+#include "support/sample_model.hpp"
+
+namespace ritz::tools {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+using testing::ThrowsMessage;
+
+class Inspect : public testing::Test {
+ protected:
+  std::string described(const model::Model& model) const { return printed(model, describe); }
+  std::string checked(const model::Model& model) const { return printed(model, check); }
+
+  template <class Print>
+  std::string printed(const model::Model& model, Print print) const {
+    format::write(folder_ / "model.h5", model);
+    std::ostringstream out;
+    print(format::ModelReader(folder_ / "model.h5"), out);
+    return out.str();
+  }
+
+  test::Folder folder_;
+};
+
+TEST_F(Inspect, TellsEveryPart) {
+  const auto told = described(test::sample_model());
+  for (const auto* figure : {"4 vertices",
+                             "1 tet4 cells",
+                             "rubber",
+                             "ν 0.49",
+                             "end/of 50% cells",
+                             "0 rigid, 2 flexible",
+                             "certified (inertia): 2 eigenvalues below 10",
+                             "0.3183099",
+                             "0.4774648",
+                             "2.0e-12 *",
+                             "mass    4 kg",
+                             "0.5  0  0 m",
+                             "50.0000",
+                             "100.0000",
+                             "surface of 0.25 m²",
+                             "sample 1.0 on 1 rank",
+                             "OpenBLAS 0.3.21",
+                             "two masses",
+                             "0.25 s",
+                             "größer als nötig",
+                             "/bodies/body/geometry/points",
+                             "kg^-1/2",
+                             "columns/0001 … 0002"})
+    EXPECT_THAT(told, HasSubstr(figure));
+}
+
+TEST_F(Inspect, LeavesAbsentPartsOut) {
+  auto model = test::sample_model();
+  model.body.modes.reset();
+  model.body.inertia.reset();
+  model.body.loads.clear();
+  model.report = {};
+  const auto told = described(model);
+  for (const auto* part : {"\n  modes", "inertia", "loads", "report"}) EXPECT_THAT(told, Not(HasSubstr(part)));
+}
+
+TEST_F(Inspect, ChecksASoundModel) {
+  const auto lines = checked(test::sample_model());
+  EXPECT_THAT(lines, AllOf(HasSubstr("ok  35 datasets"), HasSubstr("fit together"), HasSubstr("ok  UᵀMU = I")));
+  EXPECT_EQ(std::ranges::count(lines, '\n'), 6);
+}
+
+TEST_F(Inspect, FindsWhatIsWrong) {
+  const auto wrong = [&](const char* sentence, const std::function<void(model::Body&)>& change) {
+    auto model = test::sample_model();
+    change(model.body);
+    EXPECT_THAT([&] { checked(model); }, ThrowsMessage<InputError>(HasSubstr(sentence)));
+  };
+  wrong("do not ascend", [](auto& b) { b.modes->eigenvalues << 9, 4; });
+  wrong("rigid mode stands after", [](auto& b) { b.modes->kinds[1] = model::ModeKind::rigid; });
+  wrong("mode 1 is flexible with the eigenvalue 0", [](auto& b) { b.modes->eigenvalues[0] = 0; });
+  wrong("not a finite", [](auto& b) { b.geometry.points(1, 1) = std::numeric_limits<double>::quiet_NaN(); });
+  wrong("not a finite", [](auto& b) { b.basis.U(0, 0) = std::numeric_limits<double>::infinity(); });
+  wrong("not a finite", [](auto& b) { b.modes->residuals[0] = std::numeric_limits<double>::quiet_NaN(); });
+  wrong("3 eigenvalues lie below the shift, but 2", [](auto& b) { b.modes->certificate.counted = 3; });
+  wrong("UᵀMU differs from I by 2.0e-10", [](auto& b) { b.inertia->gram(8, 8) += 2e-10; });
+  wrong("not symmetric", [](auto& b) { b.inertia->gram(0, 8) += 1; });
+  wrong("mass is not", [](auto& b) { b.inertia->gram(0, 0) = -1; });
+  wrong("columns of the basis", [](auto& b) { b.basis.U = model::RowMatrix::Zero(12, 3); });
+}
+
+TEST_F(Inspect, IsAProgramWithExitCodes) {
+  const auto model = folder_ / "model.h5", log = folder_ / "log";
+  const auto run = [&](const std::string& arguments) {
+    const auto command = std::string(RITZ_BIN) + "/ritz-inspect " + arguments + " > /dev/null 2> " + log.string();
+    return WEXITSTATUS(std::system(command.c_str()));
+  };
+  const auto complaint = [&] {
+    const auto bytes = test::load(log);
+    return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  };
+  format::write(model, test::sample_model());
+  EXPECT_EQ(run(model.string()), exit_done);
+  EXPECT_EQ(run("--check " + model.string()), exit_done);
+  EXPECT_EQ(run("--help"), exit_done);
+  EXPECT_EQ(complaint(), "");
+  for (const auto& bad : {std::string(), model.string() + " --chekc", std::string("/no/such/model.h5")}) {
+    EXPECT_EQ(run(bad), exit_input) << bad;
+    EXPECT_EQ(std::ranges::count(complaint(), '\n'), 1) << complaint();
+  }
+  auto bytes = test::load(model);
+  bytes.resize(bytes.size() / 2);
+  test::save(model, bytes);
+  EXPECT_EQ(run("--check " + model.string()), exit_input);
+  EXPECT_THAT(complaint(), HasSubstr("truncated"));
+}
+
+TEST_F(Inspect, IsSerial) {
+  const auto list = folder_ / "libraries";
+  const auto command = std::string("ldd ") + RITZ_BIN + "/ritz-inspect > " + list.string();
+  if (std::system(command.c_str()) != 0) GTEST_SKIP() << "there is no ldd";
+  std::ifstream file(list);
+  const std::string libraries{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_THAT(libraries, HasSubstr("hdf5"));
+  for (const auto* never : {"libmpi", "petsc", "slepc", "openmpi"}) EXPECT_THAT(libraries, Not(HasSubstr(never)));
+}
+
+TEST(InspectText, ReadsLikePeopleWrite) {
+  EXPECT_EQ(grouped(1), "1");
+  EXPECT_EQ(grouped(-1234567), "-1 234 567");
+  EXPECT_EQ(grouped(276480), "276 480");
+  EXPECT_EQ(byte_size(999), "999 B");
+  EXPECT_EQ(byte_size(21618), "21.6 kB");
+  EXPECT_EQ(byte_size(999'960), "1.0 MB");
+  EXPECT_EQ(duration(0.25), "0.25 s");
+  EXPECT_EQ(duration(250), "4 min 10 s");
+  EXPECT_EQ(duration(7260), "2 h 1 min");
+  EXPECT_EQ(shape_text({12, 2}), "12 x 2");
+  EXPECT_EQ(padded("größe", 7), "größe  ");
+}
+
+}  // namespace
+}  // namespace ritz::tools

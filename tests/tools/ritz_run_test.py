@@ -1,0 +1,124 @@
+"""ritz-run as a program: exit codes, one sentence on stderr, no leftovers, and files that others can read."""
+import os
+import resource
+import signal
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree as xml
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+BIN = Path(os.environ["RITZ_BIN"])
+SCENE = """
+[time]
+step = 0.1
+end = 2
+[[load]]
+set = "tip"
+total = [0, 0, 18]
+[[probe]]
+name = "tip"
+set = "tip"
+"""
+
+
+class RitzRun(unittest.TestCase):
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.folder = Path(self.temporary.name)
+        subprocess.run([BIN / "sample_model", self.folder / "model.h5"], check=True)
+        (self.folder / "scene.toml").write_text(SCENE)
+        self.inputs = {path.name for path in self.folder.iterdir()}
+
+    def tearDown(self):
+        self.temporary.cleanup()
+
+    def run_it(self, *words, **how):
+        return subprocess.run([BIN / "ritz-run", *words], cwd=self.folder, capture_output=True, text=True, timeout=60,
+                              **how)
+
+    def outputs(self):
+        return {path.name for path in self.folder.iterdir()} - self.inputs
+
+    def refused(self, result, code, complaint):
+        self.assertEqual(result.returncode, code, result.stderr)
+        self.assertIn(complaint, result.stderr)
+        self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
+        self.assertEqual(result.stdout, "")
+        self.assertEqual(self.outputs(), set())
+
+    def test_runs(self):
+        result = self.run_it("model.h5", "--scene", "scene.toml")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertEqual(len(result.stdout.splitlines()), 1)
+        self.assertNotIn("\r", result.stdout)
+        self.assertEqual(self.outputs(), {"motion.h5", "motion.xdmf", "probes.csv"})
+        rows = np.loadtxt(self.folder / "probes.csv", delimiter=",", skiprows=1)
+        np.testing.assert_allclose(rows[:, 3], 1 - np.cos(3 * rows[:, 0]), atol=1e-13)
+
+    def test_help(self):
+        result = self.run_it("--help")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertIn("--animate-mode", result.stdout)
+
+    def test_quiet(self):
+        self.assertEqual(self.run_it("model.h5", "--scene", "scene.toml", "--quiet").stdout, "")
+
+    def test_bad_input(self):
+        run = lambda *words: self.run_it("model.h5", *words)
+        self.refused(run("--scene", "scne.toml"), 2, "scne.toml")
+        self.refused(run("--scen", "scene.toml"), 2, "did you mean '--scene'?")
+        self.refused(run("--animate-mode", "9"), 2, "--animate-mode is 1 to 2")
+        self.refused(self.run_it("nothing.h5", "--scene", "scene.toml"), 2, "nothing.h5")
+        self.refused(self.run_it("scene.toml", "--scene", "scene.toml"), 2, "scene.toml")
+        (self.folder / "scene.toml").write_text(SCENE.replace('"tip"\ntotal', '"tap"\ntotal'))
+        self.refused(run("--scene", "scene.toml"), 2, "did you mean 'tip'?")
+        (self.folder / "scene.toml").write_text(SCENE.replace("18", "1e308") + "[damping]\nalpha = 1e308\n")
+        (self.folder / "scene.toml").write_text(SCENE.replace("[0, 0, 18]", "[0, 0, 1e308]\ntable = [[0, 1e10]]"))
+        self.refused(run("--scene", "scene.toml"), 1, "not finite")
+
+    def test_full_disk(self):
+        def small_files():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))
+
+        result = self.run_it("model.h5", "--scene", "scene.toml", preexec_fn=small_files)
+        self.refused(result, 1, "disk full")
+
+    def test_damaged_models(self):
+        whole = (self.folder / "model.h5").read_bytes()
+        for keep in (0, 7, 100, len(whole) // 2, len(whole) - 1):
+            (self.folder / "model.h5").write_bytes(whole[:keep])
+            self.refused(self.run_it("model.h5", "--scene", "scene.toml"), 2, "model.h5")
+
+    def test_xdmf_leads_to_the_displacements(self):
+        self.run_it("model.h5", "--scene", "scene.toml", "--frames", "5", "--output", "a & b.h5")
+        collection = xml.parse(self.folder / "a & b.xdmf").getroot().find("Domain/Grid")
+        self.assertEqual(collection.get("CollectionType"), "Temporal")
+        with h5py.File(self.folder / "a & b.h5") as motion:
+            times = [float(grid.find("Time").get("Value")) for grid in collection]
+            np.testing.assert_array_equal(times, motion["frame_times"][:])
+            np.testing.assert_allclose(times, [0, .5, 1, 1.5, 2])
+            for frame, grid in enumerate(collection):
+                for item in grid.iter("DataItem"):
+                    if item.get("Format") != "HDF":
+                        continue
+                    file, name = item.text.split(":")
+                    self.assertEqual(file, "a & b.h5")
+                    shape = tuple(map(int, item.get("Dimensions").split()))
+                    self.assertEqual(motion[name].shape, shape)
+                shown = motion[grid.find("Attribute/DataItem").text.split(":")[1]]
+                np.testing.assert_array_equal(shown, motion["displacement"][frame])
+            np.testing.assert_array_equal(motion["cells"][:], [6, 0, 1, 2, 3])  # one tetrahedron
+            np.testing.assert_array_equal(motion["vertex_ids"][:], [10, 20, 30, 41])
+            self.assertEqual(motion["displacement"].attrs["units"], b"m")
+            tip = motion["displacement"][:, 1, 2]
+        np.testing.assert_allclose(tip, 1 - np.cos(3 * np.array(times)), atol=1e-13)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

@@ -1,0 +1,101 @@
+// A folder with the sample model, scenes and what a run leaves behind.
+#pragma once
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "ritz/format/parts.hpp"
+#include "ritz/tools/run.hpp"
+#include "support/sample_model.hpp"
+
+namespace ritz::test {
+
+class RunFolder {
+ public:
+  RunFolder() {
+    static int count = 0;
+    path_ = std::filesystem::temp_directory_path() /
+            ("ritz_run_" + std::to_string(getpid()) + "_" + std::to_string(count++));
+    std::filesystem::create_directories(path_);
+  }
+  ~RunFolder() { std::filesystem::remove_all(path_); }
+  RunFolder(const RunFolder&) = delete;
+  RunFolder& operator=(const RunFolder&) = delete;
+
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+
+  /// Options for a run of `scene` on `model`; the output is motion.h5 in this folder.
+  tools::RunOptions prepare(const std::string& scene, const model::Model& model = sample_model()) const {
+    format::write(path_ / "model.h5", model);
+    std::ofstream(path_ / "scene.toml") << scene;
+    tools::RunOptions options;
+    options.model = path_ / "model.h5";
+    options.scene = path_ / "scene.toml";
+    options.output = path_ / "motion.h5";
+    return options;
+  }
+
+  /// The names of files that are not inputs, ascending.
+  std::vector<std::string> outputs() const {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(path_)) {
+      const std::string name = entry.path().filename().string();
+      if (!name.starts_with("model.") && name != "scene.toml") names.push_back(name);
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+inline std::string run(const tools::RunOptions& options) {
+  std::ostringstream out;
+  tools::run(options, out);
+  return out.str();
+}
+
+struct Csv {
+  std::string header;
+  std::vector<std::vector<double>> rows;
+};
+
+inline Csv read_csv(const std::filesystem::path& path) {
+  Csv csv;
+  std::ifstream in(path);
+  std::getline(in, csv.header);
+  for (std::string line; std::getline(in, line);) {
+    std::vector<double> row;
+    std::istringstream cells(line);
+    for (std::string cell; std::getline(cells, cell, ',');) row.push_back(std::stod(cell));
+    csv.rows.push_back(row);
+  }
+  return csv;
+}
+
+/// All numbers of a dataset, with its shape.
+struct Numbers {
+  std::vector<hsize_t> shape;
+  std::vector<double> values;
+};
+
+inline Numbers read_numbers(const std::filesystem::path& path, const char* name) {
+  const format::File file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
+  const format::Dataset dataset(H5Dopen2(file.get(), name, H5P_DEFAULT));
+  if (!dataset) return {};
+  const format::Space space(H5Dget_space(dataset.get()));
+  Numbers numbers;
+  numbers.shape.resize(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space.get())));
+  H5Sget_simple_extent_dims(space.get(), numbers.shape.data(), nullptr);
+  numbers.values.resize(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.get())));
+  H5Dread(dataset.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.values.data());
+  return numbers;
+}
+
+}  // namespace ritz::test
