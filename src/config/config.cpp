@@ -88,6 +88,9 @@ Config read_config(MPI_Comm comm) {
   const auto solvers = solver_options_given();
   config.modes.slepc = std::any_of(solvers.begin(), solvers.end(), [](const auto& o) { return is_slepc(o.first); });
   config.solver = static_cast<Solver>(options.choice("solver", {"auto", "direct", "iterative"}, 0));
+  if (config.modes.slepc && config.solver == Solver::iterative)
+    throw InputError("option -solver iterative: options under -modes_eps_ and -modes_st_ reach SLEPc under -solver direct; leave out one or the other");
+  if (config.modes.slepc) config.solver = Solver::direct;
   config.reuse = options.text("reuse");
   config.rows = options.flag("surface_only") ? StoredRows::surface : StoredRows::all;
   config.goal = options.flag("plan") ? Goal::plan : Goal::model;

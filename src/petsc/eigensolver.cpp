@@ -52,27 +52,12 @@ void use_shift_invert(EPS eps, double shift) {
   check(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
 }
 
-void use_multigrid(EPS eps, Mat P) {
-  const ST st = spectral_transformation(eps);
-  KSP ksp = nullptr;
-  PC pc = nullptr;
-  check(STSetType(st, STPRECOND));
-  if (P) check(STSetPreconditionerMat(st, P));
-  check(EPSSetWhichEigenpairs(eps, EPS_SMALLEST_REAL));
-  check(STGetKSP(st, &ksp));
-  check(KSPSetType(ksp, KSPPREONLY));
-  check(KSPGetPC(ksp, &pc));
-  check(PCSetType(pc, PCGAMG));
-  PetscReal threshold = 0.01;
-  check(PCGAMGSetThreshold(pc, &threshold, 1));
-}
-
-EigenSolver create(MPI_Comm comm, EPSType type) {
+EigenSolver create(MPI_Comm comm) {
   EigenSolver eps;
   check(EPSCreate(comm, eps.out()));
   check(EPSSetOptionsPrefix(eps, prefix));
   check(EPSSetProblemType(eps, EPS_GHEP));
-  check(EPSSetType(eps, type));
+  check(EPSSetType(eps, EPSKRYLOVSCHUR));
   return eps;
 }
 
@@ -121,72 +106,26 @@ EigenPairs solved(EPS eps, Mat K, int wanted) {
   return pairs;
 }
 
-/// SLEPc's solvers stop on ‖r‖₂ of an M-normalised vector, which depends on units; divided by λ‖Mψ‖ it does not.
-/// ‖Mψ‖ is taken as the root of M's mean diagonal, its size for a smooth ψ.
-PetscErrorCode scaled_residual(EPS, PetscScalar value, PetscScalar, PetscReal residual, PetscReal* error, void* scale) {
-  *error = residual / (std::max(std::abs(value), 1e-300) * *static_cast<double*>(scale));
-  return 0;
-}
-
-double typical_norm(Mat M) {
-  PetscScalar trace = 0;
-  PetscInt rows = 0;
-  check(MatGetTrace(M, &trace));
-  check(MatGetSize(M, &rows, nullptr));
-  return std::sqrt(trace / rows);
-}
-
 }  // namespace
 
 EigenPairs krylov_schur(Mat K, Mat M, double shift, const ConstTallRef& deflated, int wanted, double tolerance) {
-  const EigenSolver eps = create(comm_of(K), EPSKRYLOVSCHUR);
+  const EigenSolver eps = create(comm_of(K));
   use_shift_invert(eps, shift);
   const auto space = as_vectors(K, deflated);
   prepare(eps, K, M, space, wanted, tolerance);
   return solved(eps, K, wanted);
 }
 
-EigenPairs davidson(Mat K, Mat M, Mat P, const ConstTallRef& near_null, const ConstTallRef& deflated,
-                    const ConstTallRef& start, int wanted, double tolerance) {
-  const EigenSolver eps = create(comm_of(K), EPSGD);
-  use_multigrid(eps, P);
-  const auto modes = as_vectors(K, near_null);
-  const auto list = raw(modes);
-  NullSpace space;
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      PetscScalar dot = 0;
-      check(VecDot(list[i], list[j], &dot));
-      check(VecAXPY(list[i], -dot, list[j]));
-    }
-    check(VecNormalize(list[i], nullptr));
-  }
-  check(MatNullSpaceCreate(comm_of(K), PETSC_FALSE, static_cast<PetscInt>(list.size()), list.data(), space.out()));
-  check(MatSetNearNullSpace(P, space));
-  const auto kept_out = as_vectors(K, deflated);
-  const auto guesses = as_vectors(K, start);
-  auto guess_list = raw(guesses);
-  double scale = typical_norm(M);
-  prepare(eps, K, M, kept_out, wanted, tolerance);
-  if (!guess_list.empty())
-    check(EPSSetInitialSpace(eps, static_cast<PetscInt>(guess_list.size()), guess_list.data()));
-  check(EPSSetConvergenceTestFunction(eps, scaled_residual, &scale, nullptr));
-  return solved(eps, K, wanted);
-}
-
 void read_eigensolver_options(MPI_Comm comm) {
   const Matrix tiny = tiny_identity(comm);
-  for (const bool direct : {true, false}) {
-    const EigenSolver eps = create(comm, direct ? EPSKRYLOVSCHUR : EPSGD);
-    if (direct) use_shift_invert(eps, 0);
-    else use_multigrid(eps, nullptr);
-    check(EPSSetFromOptions(eps));
-    KSP ksp = nullptr;
-    check(STGetKSP(spectral_transformation(eps), &ksp));
-    check(KSPSetOperators(ksp, tiny, tiny));
-    check(KSPSetFromOptions(ksp));
-    check(KSPSetUp(ksp));
-  }
+  const EigenSolver eps = create(comm);
+  use_shift_invert(eps, 0);
+  check(EPSSetFromOptions(eps));
+  KSP ksp = nullptr;
+  check(STGetKSP(spectral_transformation(eps), &ksp));
+  check(KSPSetOperators(ksp, tiny, tiny));
+  check(KSPSetFromOptions(ksp));
+  check(KSPSetUp(ksp));
 }
 
 }  // namespace ritz::petsc

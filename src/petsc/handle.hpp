@@ -37,6 +37,7 @@ class Handle {
 using Matrix = Handle<Mat, MatDestroy>;
 using Vector = Handle<Vec, VecDestroy>;
 using Solver = Handle<KSP, KSPDestroy>;
+using Preconditioner = Handle<PC, PCDestroy>;
 using EigenSolver = Handle<EPS, EPSDestroy>;
 using IndexSet = Handle<IS, ISDestroy>;
 using NullSpace = Handle<MatNullSpace, MatNullSpaceDestroy>;

@@ -28,7 +28,7 @@ Eigen::VectorXd m_norms(MPI_Comm comm, const ConstTallRef& x, const ConstTallRef
 
 }  // namespace
 
-void multiply(Mat A, const ConstTallRef& x, TallRef y) {
+void apply_to_columns(Mat A, const ConstTallRef& x, TallRef y, const std::function<void(Vec from, Vec to)>& op) {
   PetscInt rows = 0, columns = 0, block = 1;
   check(MatGetLocalSize(A, &rows, &columns));
   check(MatGetBlockSize(A, &block));
@@ -36,10 +36,14 @@ void multiply(Mat A, const ConstTallRef& x, TallRef y) {
   for (Eigen::Index j = 0; j < x.cols(); ++j) {
     check(VecPlaceArray(from, x.col(j).data()));
     check(VecPlaceArray(to, y.col(j).data()));
-    check(MatMult(A, from, to));
+    op(from, to);
     check(VecResetArray(from));
     check(VecResetArray(to));
   }
+}
+
+void multiply(Mat A, const ConstTallRef& x, TallRef y) {
+  apply_to_columns(A, x, y, [A](Vec from, Vec to) { check(MatMult(A, from, to)); });
 }
 
 Tall multiply(Mat A, const ConstTallRef& x) {

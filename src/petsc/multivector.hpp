@@ -1,6 +1,7 @@
 // Tall matrices (distributed rows, few columns) and their products.
 #pragma once
 #include <Eigen/Core>
+#include <functional>
 
 #include "ritz/petsc/handle.hpp"
 
@@ -10,6 +11,9 @@ namespace ritz::petsc {
 using Tall = Eigen::MatrixXd;
 using TallRef = Eigen::Ref<Eigen::MatrixXd>;
 using ConstTallRef = Eigen::Ref<const Eigen::MatrixXd>;
+
+/// Lays PETSc vectors that fit A over the columns of x and y, one pair at a time, and calls `op(from, to)` on each.
+void apply_to_columns(Mat A, const ConstTallRef& x, TallRef y, const std::function<void(Vec from, Vec to)>& op);
 
 /// y = A x, column by column. *Collective* on A.
 void multiply(Mat A, const ConstTallRef& x, TallRef y);

@@ -6,10 +6,12 @@
 #include <sstream>
 
 #include "ritz/base/error.hpp"
+#include "ritz/parallel/comm.hpp"
 #include "ritz/parallel/guard.hpp"
 #include "ritz/petsc/check.hpp"
 #include "ritz/petsc/csr.hpp"
 #include "ritz/petsc/factorization.hpp"
+#include "ritz/petsc/multigrid.hpp"
 
 namespace ritz::petsc {
 namespace {
@@ -82,6 +84,8 @@ std::vector<std::pair<std::string, std::string>> unread_options() {
 void read_solver_options(MPI_Comm comm, const std::string& prefix) {
   const Matrix tiny = tiny_identity(comm);
   Factorization(comm, prefix).factor(tiny, tiny, 0);
+  const Tall whole = Tall::Identity(parallel::rank(comm) == 0 ? 3 : 0, 3);
+  Multigrid(tiny, whole, prefix);
 }
 
 }  // namespace ritz::petsc

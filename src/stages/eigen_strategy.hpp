@@ -24,7 +24,8 @@ struct Found {
 Found find_direct(const EigenProblem& problem, int wanted, const petsc::Tall& known, const ModesOptions& options,
                   petsc::Factorization& solver, const ModesProgress& progress);
 Found find_by_krylov_schur(const EigenProblem& problem, int wanted);
-Found find_iteratively(const EigenProblem& problem, int wanted);
+Found find_iteratively(const EigenProblem& problem, int wanted, const petsc::Tall& known,
+                       const ModesProgress& progress);
 
 /// The shift of the spectral transformation: 0 where the supports hold the body; a tenth of the first elastic
 /// eigenvalue's scale below 0 where it can move rigidly. *Collective*.

@@ -96,7 +96,7 @@ class Search {
 
  private:
   Found find(int wanted, const petsc::Tall& known) {
-    if (options_.strategy == Strategy::iterative) return find_iteratively(problem_, wanted);
+    if (options_.strategy == Strategy::iterative) return find_iteratively(problem_, wanted, known, progress_);
     if (options_.slepc) return find_by_krylov_schur(problem_, wanted);
     return find_direct(problem_, wanted, known, options_, solver_, progress_);
   }

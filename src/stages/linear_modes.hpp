@@ -34,8 +34,8 @@ using ModesProgress = std::function<void(const std::string& what, double fractio
 /// all rigid ones, M-orthonormal, with signs and bases of clusters fixed by the vertices' file numbers.
 ///
 /// direct: shift-invert with MUMPS and block Lanczos; then the inertia of K − σM counts the eigenvalues below a shift
-/// past the last mode; a count that disagrees is searched for and, if it stays, a NumericalError. iterative: GAMG with
-/// the rigid motions as near-null space, under SLEPc; not certified.
+/// past the last mode; a count that disagrees is searched for and, if it stays, a NumericalError. iterative: LOBPCG with
+/// GAMG, the rigid motions its near-null space; not certified.
 /// `earlier`: modes of an earlier run of the same problem, or no columns. Throws NumericalError when fewer modes
 /// converge than were asked for or a residual is above its gate. *Collective*.
 ModesResult linear_modes(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full& full, const ModesOptions& options,

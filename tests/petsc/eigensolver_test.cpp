@@ -1,4 +1,4 @@
-// SLEPc's two solvers against the chain's closed spectrum.
+// SLEPc's Krylov-Schur against the chain's closed spectrum.
 #include "ritz/petsc/eigensolver.hpp"
 
 #include <gtest/gtest.h>
@@ -33,11 +33,6 @@ TEST_F(Eigensolver, KrylovSchurFindsTheSmallest) {
 TEST_F(Eigensolver, KrylovSchurKeepsOutWhatIsDeflated) {
   const auto first = krylov_schur(K, M, 0, none, wanted, 1e-12);
   check_pairs(krylov_schur(K, M, -0.01, first.vectors, wanted, 1e-12), 1 + wanted, 1e-9);
-}
-
-TEST_F(Eigensolver, DavidsonFindsTheSmallestWithoutAFactorization) {
-  const Tall constant = Tall::Ones(my_rows(n).count, 1);
-  check_pairs(davidson(K, M, K, constant, none, none, wanted, 1e-9), 1, 1e-7);
 }
 
 }  // namespace

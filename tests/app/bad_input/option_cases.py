@@ -34,6 +34,7 @@ UNKNOWN = [
 ]
 
 SOLVERS = [
+    bad("SLEPc's options beside the other solver", "-solver iterative -modes_eps_tol 1e-9", "-solver iterative", "-modes_eps_"),
     bad("an eigensolver that is not there", "-modes_eps_type foo", "foo"),
     bad("a number of iterations in words", "-modes_eps_max_it many", "many"),
     bad("a linear solver that is not there", "-solve_ksp_type foo", "foo"),
@@ -155,7 +156,7 @@ OPTION_FILES = [
 ]
 
 NUMERICS = [
-    bad("fewer modes converge", "-solver iterative -modes_eps_max_it 1 -modes_eps_tol 1e-14", "converge", code=1,
+    bad("fewer modes converge", "-modes_eps_max_it 1 -modes_eps_ncv 12 -modes_eps_tol 1e-15", "converge", code=1,
         files={"model.h5": "earlier", "frequencies.csv": "earlier"}),
 ]
 

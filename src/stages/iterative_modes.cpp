@@ -1,0 +1,61 @@
+#include <algorithm>
+
+#include "ritz/base/error.hpp"
+#include "ritz/petsc/check.hpp"
+#include "ritz/petsc/multigrid.hpp"
+#include "ritz/stages/eigen_strategy.hpp"
+#include "ritz/stages/fixed_vectors.hpp"
+#include "ritz/stages/lobpcg.hpp"
+#include "ritz/stages/rigid_modes.hpp"
+
+namespace ritz::stages {
+namespace {
+
+constexpr std::uint64_t start_stream = 2000;
+
+/// Columns of the block: the wanted ones and guards, a multiple of 4.
+int block_width(int wanted) {
+  const int guarded = std::max(wanted + 6, wanted + (wanted + 4) / 5);
+  return (guarded + 3) / 4 * 4;
+}
+
+/// K − σM, positive definite.
+petsc::Matrix shifted(const Full& full, double sigma) {
+  petsc::Matrix A;
+  petsc::check(MatDuplicate(full.stiffness, MAT_COPY_VALUES, A.out()));
+  if (sigma != 0) petsc::check(MatAXPY(A, -sigma, full.mass, SUBSET_NONZERO_PATTERN));
+  return A;
+}
+
+/// What is known already, and smooth columns beside it: one cycle takes the worst off fixed random loads.
+petsc::Tall start_block(const EigenProblem& problem, const petsc::Multigrid& cycle, const petsc::Tall& known, int width) {
+  const auto fresh = std::max<int>(width - static_cast<int>(known.cols()), 4);
+  petsc::Tall start(problem.rigid.rows(), known.cols() + fresh);
+  start.leftCols(known.cols()) = known;
+  cycle.apply(petsc::multiply(problem.full.mass, fixed_vectors(problem.mesh, problem.dofs, fresh, start_stream)),
+              start.rightCols(fresh));
+  return start;
+}
+
+}  // namespace
+
+Found find_iteratively(const EigenProblem& problem, int wanted, const petsc::Tall& known,
+                       const ModesProgress& progress) {
+  progress("multigrid", 0);
+  const petsc::Matrix A = shifted(problem.full, safe_shift(problem));
+  const petsc::Multigrid cycle(A, near_null_space(problem.mesh, problem.dofs), "solve_");
+  LobpcgOptions options;
+  options.wanted = wanted;
+  auto found = lobpcg(
+      problem.full.stiffness, problem.full.mass, problem.norm_K,
+      [&](const petsc::ConstTallRef& r, petsc::TallRef z) { cycle.apply(r, z); }, problem.rigid,
+      start_block(problem, cycle, known, block_width(wanted)), options,
+      [&](int done, int all) { progress("modes", double(done) / all); });
+  if (found.converged < wanted)
+    throw NumericalError("the eigensolver (LOBPCG with multigrid) converged to " + std::to_string(found.converged) +
+                         " of " + std::to_string(wanted) + " modes in " + std::to_string(found.iterations) +
+                         " iterations; use -solver direct, or a mesh of better shape");
+  return {std::move(found.pairs), found.iterations};
+}
+
+}  // namespace ritz::stages

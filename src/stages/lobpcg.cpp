@@ -1,0 +1,104 @@
+#include "ritz/stages/lobpcg.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace ritz::stages {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+constexpr double dependent = 1e-12;  ///< squared size of a direction that the others hold already
+constexpr int refreshing = 5;        ///< iterations between two clean-ups
+
+MPI_Comm comm_of(Mat A) { return PetscObjectComm(reinterpret_cast<PetscObject>(A)); }
+
+petsc::Tall joined(const petsc::ConstTallRef& a, const petsc::ConstTallRef& b) {
+  petsc::Tall both(a.rows(), a.cols() + b.cols());
+  both << a, b;
+  return both;
+}
+
+/// Residuals of the iterates and how far they are from what they have to reach.
+struct State {
+  petsc::Tall r;
+  Eigen::ArrayXd excess;  ///< residual over gate
+};
+
+State state_of(Mat K, Mat M, double norm_K, const RitzPairs& x) {
+  State s;
+  const Residuals quality = residuals(K, M, norm_K, x);
+  s.excess = quality.relative.array() / quality.gate.array();
+  s.r = petsc::multiply(K, x.vectors);
+  s.r -= petsc::multiply(M, x.vectors) * x.values.asDiagonal();
+  return s;
+}
+
+/// Coefficients of the next directions: the part of these columns of C that does not lie along the old X (the first
+/// rows), made orthonormal and orthogonal to all of C.
+MatrixXd directions(const MatrixXd& C, const std::vector<Index>& columns) {
+  MatrixXd D = C(Eigen::all, columns);
+  D.topRows(C.cols()).setZero();
+  D.colwise().normalize();
+  for (int pass = 0; pass < 2; ++pass) D -= C * (C.transpose() * D);
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(D.transpose() * D);
+  const auto& values = eigen.eigenvalues();
+  const Index rank = (values.array() > dependent * values.tail(1)[0]).count();
+  return D * eigen.eigenvectors().rightCols(rank) * values.tail(rank).cwiseSqrt().cwiseInverse().asDiagonal();
+}
+
+/// Takes rounding out of X and P.
+void refresh(Mat M, const petsc::ConstTallRef& locked, petsc::Tall& X, petsc::Tall& P) {
+  petsc::Tall x = X;
+  if (petsc::orthonormalise(M, locked, x) == X.cols()) X = x;
+  P.conservativeResize(Eigen::NoChange, petsc::orthonormalise(M, joined(locked, X), P));
+}
+
+}  // namespace
+
+LobpcgResult lobpcg(Mat K, Mat M, double norm_K, const BlockPreconditioner& precondition,
+                    const petsc::ConstTallRef& locked, const petsc::ConstTallRef& start, const LobpcgOptions& options,
+                    const LobpcgProgress& progress) {
+  const MPI_Comm comm = comm_of(K);
+  RitzPairs x = rayleigh_ritz(K, M, locked, start);
+  petsc::Tall P(start.rows(), 0);
+  LobpcgResult result;
+  double best = std::numeric_limits<double>::infinity();
+  for (int waited = 0; result.iterations < options.iterations && waited < options.patience; ++result.iterations) {
+    const Index wanted = std::min<Index>(options.wanted, x.values.size());
+    const State s = state_of(K, M, norm_K, x);
+    const auto met = [&](Index j) { return s.excess[j] <= options.fraction; };
+    result.converged = 0;
+    while (result.converged < wanted && met(result.converged)) ++result.converged;
+    progress(result.converged, static_cast<int>(wanted));
+    if (result.converged == wanted) break;
+    const double sum = s.excess.head(wanted).max(options.fraction).log().sum();
+    waited = sum < best - 0.01 ? 0 : waited + 1;
+    best = std::min(best, sum);
+
+    std::vector<Index> active;
+    for (Index j = 0; j < x.values.size(); ++j)
+      if (j >= wanted || !met(j)) active.push_back(j);
+    petsc::Tall W(start.rows(), static_cast<Index>(active.size()));
+    precondition(s.r(Eigen::all, active), W);
+
+    if (result.iterations % refreshing == refreshing - 1) refresh(M, locked, x.vectors, P);
+    const petsc::Tall XP = joined(x.vectors, P);
+    W.conservativeResize(Eigen::NoChange, petsc::orthonormalise(M, joined(locked, XP), W));
+    const petsc::Tall S = joined(XP, W);
+    const MatrixXd G = petsc::inner(comm, S, petsc::multiply(K, S));
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen((G + G.transpose()) / 2);
+    const Index kept = x.values.size();
+    const MatrixXd C = eigen.eigenvectors().leftCols(kept);
+    P = S * directions(C, active);
+    x = {eigen.eigenvalues().head(kept), S * C};
+  }
+  const Index count = std::min<Index>(options.wanted, x.values.size());
+  result.pairs = {x.values.head(count), x.vectors.leftCols(count)};
+  return result;
+}
+
+}  // namespace ritz::stages
