@@ -1,6 +1,7 @@
 #include "disk.hpp"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -41,6 +42,8 @@ int try_create(const std::filesystem::path& path, const std::filesystem::path& p
 }
 
 bool reserve(const std::filesystem::path& path, std::uint64_t bytes) {
+  rlimit longest{};
+  if (::getrlimit(RLIMIT_FSIZE, &longest) == 0 && bytes > longest.rlim_cur) return false;
   const int file = ::open(path.c_str(), O_WRONLY);
   if (file < 0) return false;
   const int failed = ::fallocate(file, FALLOC_FL_KEEP_SIZE, 0, static_cast<off_t>(bytes)) == 0 ? 0 : errno;

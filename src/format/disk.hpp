@@ -10,7 +10,7 @@ namespace ritz::format {
 int try_create(const std::filesystem::path& path, const std::filesystem::path& part);
 
 /// Takes the room for the first `bytes` of a file without changing its contents or length; false when the disk has not
-/// got it. True where the file system cannot tell.
+/// got it or the process may not write so long a file. True where the file system cannot tell.
 bool reserve(const std::filesystem::path& file, std::uint64_t bytes);
 
 /// Syncs `part` to the disk, renames it to `path` and makes the link with the ending .vtkhdf. False when it failed

@@ -129,6 +129,9 @@ void write_ascii(const ModelWriter& out, const std::string& object, const char* 
 void write_block(const ModelWriter& out, const std::string& path, std::string_view units, const Block& block) {
   const Quiet quiet;
   check_cover(out, path, block);
+  std::size_t row_bytes = H5Tget_size(block.type);
+  for (const auto length : block.row_shape) row_bytes *= length;
+  out.make_room(static_cast<std::uint64_t>(block.slice.total) * row_bytes);
   const auto properties = creation(H5P_DATASET_CREATE);
   H5Pset_alloc_time(properties.get(), H5D_ALLOC_TIME_EARLY);
   H5Pset_fill_time(properties.get(), H5D_FILL_TIME_NEVER);
@@ -144,8 +147,6 @@ void write_block(const ModelWriter& out, const std::string& path, std::string_vi
       H5Dwrite(dataset.get(), block.type, memory.get(), file.get(), out.access().transfer, block.data) >= 0;
   agree(out, written, path);
 
-  std::size_t row_bytes = H5Tget_size(block.type);
-  for (const auto length : block.row_shape) row_bytes *= length;
   const std::span bytes(static_cast<const std::byte*>(block.data), static_cast<std::size_t>(block.rows) * row_bytes);
   write_attribute(out, path, schema::units, units);
   write_attribute(out, path, schema::checksum, sum(out.access(), checksum(bytes, row_bytes, block.slice.first)));

@@ -16,7 +16,7 @@ namespace {
 
 // HDF5 hangs (MPI) or crashes at exit (serial) when the disk is full while it flushes or closes a file. So it must not
 // be: room for its own records is taken at the start, and released by emptying the file before one is given up; room
-// for the whole file is taken before the last flush.
+// for a dataset is taken before it is made.
 constexpr std::uint64_t room_for_records = 1 << 20;
 
 /// HDF5 1.10's file layout: compact groups, and checksums on everything that is not a dataset's numbers.
@@ -40,7 +40,7 @@ ModelWriter::ModelWriter(std::filesystem::path path, Access access)
     throw InputError("cannot write " + path_.string() + ": " + std::strerror(error) +
                      "; name an output in a folder that exists and can be written to");
   part_ = std::move(part);
-  reserve_on_disk(room_for_records);
+  reserve_on_disk(room_for_records);  // before there is anything to close
 
   const Quiet quiet;
   const Properties creation(H5Pcreate(H5P_FILE_CREATE));
@@ -48,13 +48,20 @@ ModelWriter::ModelWriter(std::filesystem::path path, Access access)
   H5Pset_link_creation_order(creation.get(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
   file_ = File(H5Fcreate(part_.c_str(), H5F_ACC_TRUNC, creation.get(), file_access(access_.file).get()));
   agree(*this, bool(file_), "/");
-  reserve_on_disk(room_for_records);  // creation has let it go
+  make_room(0);
   write_attribute(*this, "/", schema::format, schema::format_name);
   write_attribute(*this, "/", schema::version, std::array<std::int64_t, 2>{schema::major, schema::minor});
 }
 
 void ModelWriter::reserve_on_disk(std::uint64_t bytes) const {
-  agree(*this, !access_.writes_small || reserve(part_, bytes), "/");
+  agree(*this, !access_.writes_small || reserve(part_, bytes), "the next part");
+}
+
+void ModelWriter::make_room(std::uint64_t more) const {
+  // Not H5Fget_filesize, which fails on a file that MPI has written to.
+  std::error_code ignored;
+  const std::uint64_t bytes = access_.writes_small ? std::filesystem::file_size(part_, ignored) : 0;
+  reserve_on_disk(bytes + more + room_for_records);
 }
 
 ModelWriter::~ModelWriter() {
@@ -72,9 +79,7 @@ ModelWriter::~ModelWriter() {
 
 void ModelWriter::commit() {
   const Quiet quiet;
-  hsize_t bytes = 0;
-  H5Fget_filesize(file_.get(), &bytes);
-  reserve_on_disk(bytes);
+  make_room(0);
   agree(*this, H5Fflush(file_.get(), H5F_SCOPE_GLOBAL) >= 0, "/");
   agree(*this, file_.close(), "/");
   agree(*this, !access_.writes_small || publish(part_, path_), "/");

@@ -35,6 +35,9 @@ class ModelWriter {
   /// can be written afterwards.
   void commit();
 
+  /// Takes disk space for `more` bytes and HDF5's records of them; throws std::runtime_error when there is none.
+  void make_room(std::uint64_t more) const;
+
   hid_t file() const { return file_.get(); }
   const Access& access() const { return access_; }
   const std::filesystem::path& path() const { return path_; }
