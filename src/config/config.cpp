@@ -58,7 +58,9 @@ bool is_slepc(const std::string& name) { return name.starts_with("modes_eps_") |
 /// The options that solvers read for themselves, as they were given.
 std::vector<std::pair<std::string, std::string>> solver_options_given() {
   auto given = petsc::unread_options();
-  std::erase_if(given, [](const auto& o) { return !is_slepc(o.first) && !o.first.starts_with("solve_"); });
+  std::erase_if(given, [](const auto& o) {
+    return !is_slepc(o.first) && !o.first.starts_with("solve_") && !o.first.starts_with("multigrid_");
+  });
   return given;
 }
 
@@ -66,10 +68,11 @@ std::vector<std::pair<std::string, std::string>> solver_options_given() {
 void read_solver_options(MPI_Comm comm) {
   try {
     petsc::read_eigensolver_options(comm);
-    petsc::read_solver_options(comm, "solve_");
+    petsc::read_factorization_options(comm, "solve_");
+    petsc::read_multigrid_options(comm, "multigrid_");
   } catch (const NumericalError& error) {
     const std::string why = error.what();
-    throw InputError("an option under -modes_ or -solve_ does not work: " + why.substr(0, why.find(" (in ")));
+    throw InputError("an option under -modes_, -solve_ or -multigrid_ does not work: " + why.substr(0, why.find(" (in ")));
   }
 }
 

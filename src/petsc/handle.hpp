@@ -1,6 +1,7 @@
 // Owners of PETSc and SLEPc objects: move-only, the raw handle reachable.
 #pragma once
 #include <petscksp.h>
+#include <petscsf.h>
 #include <slepceps.h>
 
 #include <utility>
@@ -37,6 +38,7 @@ class Handle {
 using Matrix = Handle<Mat, MatDestroy>;
 using Vector = Handle<Vec, VecDestroy>;
 using Solver = Handle<KSP, KSPDestroy>;
+using StarForest = Handle<PetscSF, PetscSFDestroy>;
 using Preconditioner = Handle<PC, PCDestroy>;
 using EigenSolver = Handle<EPS, EPSDestroy>;
 using IndexSet = Handle<IS, ISDestroy>;

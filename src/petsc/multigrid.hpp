@@ -1,24 +1,38 @@
 // One multigrid cycle as a preconditioner for blocks of vectors.
 #pragma once
+#include <Eigen/Cholesky>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "ritz/petsc/multivector.hpp"
+#include "ritz/petsc/panel.hpp"
 
 namespace ritz::petsc {
 
-/// A V-cycle of smoothed aggregation (PETSc's GAMG) on a symmetric positive definite matrix.
+/// A symmetric V-cycle on the levels of smoothed aggregation (PETSc's GAMG) for a symmetric positive definite matrix:
+/// Chebyshev-Jacobi smoothing of degree 2, eight vectors at a time, a dense solve on the coarsest level.
 class Multigrid {
  public:
-  /// `near_null` spans what smoothing cannot reduce: the rigid motions. Options are read under `prefix` (…pc_, …mg_).
+  /// `near_null` spans what smoothing cannot reduce: the rigid motions. Options are read under `prefix` (…pc_gamg_).
   /// A must outlive this. *Collective*.
   Multigrid(Mat A, const ConstTallRef& near_null, const std::string& prefix);
+  ~Multigrid();
 
-  /// z ≈ A⁻¹ r for all columns, by one symmetric cycle each. *Collective*.
+  /// z ≈ A⁻¹ r for all columns. *Collective*.
   void apply(const ConstTallRef& r, TallRef z) const;
 
+  int levels() const;
+
  private:
-  Mat A_;
-  Preconditioner cycle_;
+  class Level;
+  class Coarsest;
+
+  void cycle(std::size_t level, const Panel& r, Panel& z) const;
+
+  Preconditioner hierarchy_;
+  std::vector<std::unique_ptr<Level>> levels_;  ///< finest first
+  std::unique_ptr<Coarsest> coarsest_;
 };
 
 }  // namespace ritz::petsc

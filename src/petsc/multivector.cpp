@@ -1,21 +1,61 @@
 #include "ritz/petsc/multivector.hpp"
 
+#include <petscblaslapack.h>
+
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 
 #include "ritz/parallel/comm.hpp"
 #include "ritz/petsc/check.hpp"
+#include "ritz/petsc/panel.hpp"
 
 namespace ritz::petsc {
 namespace {
 
+constexpr Eigen::Index least_panel = 3;  ///< columns from which a panel, even a part of one, is faster
+
 MPI_Comm comm_of(Mat A) { return PetscObjectComm(reinterpret_cast<PetscObject>(A)); }
+
+/// c = alpha op(a) b + beta c, with op the transpose for 'T'.
+void gemm(char op, double alpha, const ConstTallRef& a, const ConstTallRef& b, double beta, TallRef c) {
+  const auto rows = static_cast<PetscBLASInt>(c.rows()), columns = static_cast<PetscBLASInt>(c.cols());
+  const auto depth = static_cast<PetscBLASInt>(b.rows());
+  const auto lda = static_cast<PetscBLASInt>(a.outerStride()), ldb = static_cast<PetscBLASInt>(b.outerStride()),
+             ldc = static_cast<PetscBLASInt>(c.outerStride());
+  BLASgemm_(&op, "N", &rows, &columns, &depth, &alpha, a.data(), &lda, b.data(), &ldb, &beta, c.data(), &ldc);
+}
 
 /// A vector without storage of its own, laid over columns one after the other.
 Vector placeholder(Mat A, PetscInt local, PetscInt block) {
   Vector v;
   check(VecCreateMPIWithArray(comm_of(A), block, local, PETSC_DECIDE, nullptr, v.out()));
   return v;
+}
+
+void multiply_columns(Mat A, const ConstTallRef& x, TallRef y) {
+  PetscInt rows = 0, columns = 0, block = 1;
+  check(MatGetLocalSize(A, &rows, &columns));
+  check(MatGetBlockSize(A, &block));
+  const Vector from = placeholder(A, columns, block), to = placeholder(A, rows, block);
+  for (Eigen::Index j = 0; j < x.cols(); ++j) {
+    check(VecPlaceArray(from, x.col(j).data()));
+    check(VecPlaceArray(to, y.col(j).data()));
+    check(MatMult(A, from, to));
+    check(VecResetArray(from));
+    check(VecResetArray(to));
+  }
+}
+
+void multiply_panels(Mat A, const ConstTallRef& x, TallRef y) {
+  PanelProduct product(A);
+  Panel from = Panel::Zero(x.rows(), panel_width), to;
+  for (Eigen::Index j = 0; j < x.cols(); j += panel_width) {
+    const auto width = std::min<Eigen::Index>(panel_width, x.cols() - j);
+    from.leftCols(width) = x.middleCols(j, width);
+    product.apply(from, to);
+    y.middleCols(j, width) = to.leftCols(width);
+  }
 }
 
 /// sqrt(x_jᵀ (M x)_j).
@@ -28,22 +68,11 @@ Eigen::VectorXd m_norms(MPI_Comm comm, const ConstTallRef& x, const ConstTallRef
 
 }  // namespace
 
-void apply_to_columns(Mat A, const ConstTallRef& x, TallRef y, const std::function<void(Vec from, Vec to)>& op) {
-  PetscInt rows = 0, columns = 0, block = 1;
-  check(MatGetLocalSize(A, &rows, &columns));
-  check(MatGetBlockSize(A, &block));
-  const Vector from = placeholder(A, columns, block), to = placeholder(A, rows, block);
-  for (Eigen::Index j = 0; j < x.cols(); ++j) {
-    check(VecPlaceArray(from, x.col(j).data()));
-    check(VecPlaceArray(to, y.col(j).data()));
-    op(from, to);
-    check(VecResetArray(from));
-    check(VecResetArray(to));
-  }
-}
-
 void multiply(Mat A, const ConstTallRef& x, TallRef y) {
-  apply_to_columns(A, x, y, [A](Vec from, Vec to) { check(MatMult(A, from, to)); });
+  const Eigen::Index panels = x.cols() < least_panel ? 0 : (x.cols() + panel_width - least_panel) / panel_width;
+  const Eigen::Index in_panels = std::min<Eigen::Index>(panels * panel_width, x.cols());
+  if (panels > 0) multiply_panels(A, x.leftCols(in_panels), y.leftCols(in_panels));
+  if (in_panels < x.cols()) multiply_columns(A, x.rightCols(x.cols() - in_panels), y.rightCols(x.cols() - in_panels));
 }
 
 Tall multiply(Mat A, const ConstTallRef& x) {
@@ -56,9 +85,19 @@ Tall multiply(Mat A, const ConstTallRef& x) {
 
 Eigen::MatrixXd inner(MPI_Comm comm, const ConstTallRef& x, const ConstTallRef& y) {
   Eigen::MatrixXd product = Eigen::MatrixXd::Zero(x.cols(), y.cols());
-  if (x.rows() > 0) product.noalias() = x.transpose() * y;
+  if (x.rows() > 0) gemm('T', 1, x, y, 0, product);
   parallel::sum_in_place(comm, product);
   return product;
+}
+
+Tall combine(const ConstTallRef& x, const Eigen::MatrixXd& c) {
+  Tall product = Tall::Zero(x.rows(), c.cols());
+  if (product.size() > 0) gemm('N', 1, x, c, 0, product);
+  return product;
+}
+
+void subtract(TallRef y, const ConstTallRef& x, const Eigen::MatrixXd& c) {
+  if (y.size() > 0) gemm('N', -1, x, c, 1, y);
 }
 
 Eigen::VectorXd column_norms(MPI_Comm comm, const ConstTallRef& x) {
@@ -79,12 +118,13 @@ int orthonormalise(Mat M, const ConstTallRef& against, TallRef x, double drop) {
   const MPI_Comm comm = comm_of(M);
   int kept = static_cast<int>(x.cols());
   Tall mx(x.rows(), x.cols());
-  for (int pass = 0; pass < 3 && kept > 0; ++pass) {
+  bool clean = false;
+  for (int pass = 0; pass < 3 && kept > 0 && !clean; ++pass) {
     auto block = x.leftCols(kept);
     multiply(M, block, mx.leftCols(kept));
     const Eigen::VectorXd before = m_norms(comm, block, mx.leftCols(kept));
     if (against.cols() > 0) {
-      block.noalias() -= against * inner(comm, against, mx.leftCols(kept));
+      subtract(block, against, inner(comm, against, mx.leftCols(kept)));
       multiply(M, block, mx.leftCols(kept));
     }
     const Eigen::MatrixXd gram = inner(comm, block, mx.leftCols(kept));
@@ -96,7 +136,8 @@ int orthonormalise(Mat M, const ConstTallRef& against, TallRef x, double drop) {
     const auto rank = static_cast<int>((values.array() > least).count());
     const Eigen::MatrixXd turn = scale.asDiagonal() * eigen.eigenvectors().rightCols(rank) *
                                  values.tail(rank).cwiseSqrt().cwiseInverse().asDiagonal();
-    x.leftCols(rank) = (block * turn).eval();
+    clean = pass > 0 && rank == kept && values[0] > 0.5 && (norms.array() > 0.5 * before.array()).all();
+    x.leftCols(rank) = combine(block, turn);
     kept = rank;
   }
   return kept;

@@ -81,11 +81,14 @@ std::vector<std::pair<std::string, std::string>> unread_options() {
   return unread;
 }
 
-void read_solver_options(MPI_Comm comm, const std::string& prefix) {
+void read_factorization_options(MPI_Comm comm, const std::string& prefix) {
   const Matrix tiny = tiny_identity(comm);
   Factorization(comm, prefix).factor(tiny, tiny, 0);
-  const Tall whole = Tall::Identity(parallel::rank(comm) == 0 ? 3 : 0, 3);
-  Multigrid(tiny, whole, prefix);
+}
+
+void read_multigrid_options(MPI_Comm comm, const std::string& prefix) {
+  const Matrix tiny = tiny_identity(comm);
+  Multigrid(tiny, Tall::Identity(parallel::rank(comm) == 0 ? 3 : 0, 3), prefix);
 }
 
 }  // namespace ritz::petsc

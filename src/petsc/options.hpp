@@ -20,8 +20,9 @@ std::optional<std::string> option_value(const std::string& name);
 /// Options that nobody has read so far, without their dash, and their values.
 std::vector<std::pair<std::string, std::string>> unread_options();
 
-/// Lets the linear solvers under `prefix` read all their options on a tiny matrix, so that they count as read.
-/// *Collective*.
-void read_solver_options(MPI_Comm comm, const std::string& prefix);
+/// Lets the factorization, or the multigrid, under `prefix` read its options on a tiny matrix, so that they count as
+/// read. *Collective*.
+void read_factorization_options(MPI_Comm comm, const std::string& prefix);
+void read_multigrid_options(MPI_Comm comm, const std::string& prefix);
 
 }  // namespace ritz::petsc

@@ -1,6 +1,7 @@
 #include "ritz/petsc/speed.hpp"
 
-#include <dlfcn.h>
+#include <petscsys.h>
+#include <petscblaslapack.h>
 
 #include <algorithm>
 #include <chrono>
@@ -9,8 +10,6 @@
 
 namespace ritz::petsc {
 namespace {
-
-constexpr double typical_rate = 2e10;  ///< where no BLAS can be asked
 
 template <class Work>
 double best_seconds(Work work) {
@@ -26,16 +25,12 @@ double best_seconds(Work work) {
 }  // namespace
 
 double dgemm_rate() {
-  using Dgemm = void(const char*, const char*, const int*, const int*, const int*, const double*, const double*,
-                     const int*, const double*, const int*, const double*, double*, const int*);
-  const auto dgemm = reinterpret_cast<Dgemm*>(dlsym(RTLD_DEFAULT, "dgemm_"));
-  if (!dgemm) return typical_rate;
-  const int n = 512;
+  const PetscBLASInt n = 512;
   const double one = 1, zero = 0;
   const std::vector<double> a(static_cast<std::size_t>(n) * n, 1.0), b(a);
   std::vector<double> c(a.size());
   const double seconds =
-      best_seconds([&] { dgemm("N", "N", &n, &n, &n, &one, a.data(), &n, b.data(), &n, &zero, c.data(), &n); });
+      best_seconds([&] { BLASgemm_("N", "N", &n, &n, &n, &one, a.data(), &n, b.data(), &n, &zero, c.data(), &n); });
   return 2.0 * n * n * n / seconds;
 }
 

@@ -50,7 +50,7 @@ class Krylov {
     const auto known = basis_.leftCols(locked_ + done_);
     for (int pass = 0; pass < 2; ++pass) {
       const MatrixXd part = petsc::inner(comm_of(M_), known, petsc::multiply(M_, w));
-      w.noalias() -= known * part;
+      petsc::subtract(w, known, part);
       h += part;
     }
     T_.block(0, first, done_, width) = h.bottomRows(done_);
@@ -77,7 +77,7 @@ class Krylov {
 
   /// Keeps `count` Ritz vectors and the pending block.
   void restart(Index count) {
-    const petsc::Tall kept = V().leftCols(done_) * Y_.leftCols(count);
+    const petsc::Tall kept = vectors(count);
     const petsc::Tall next = V().middleCols(done_, pending_);
     V().leftCols(count) = kept;
     V().middleCols(count, pending_) = next;
@@ -87,7 +87,7 @@ class Krylov {
   }
 
   Eigen::VectorXd theta(Index count) const { return theta_.head(count); }
-  petsc::Tall vectors(Index count) { return V().leftCols(done_) * Y_.leftCols(count); }
+  petsc::Tall vectors(Index count) { return petsc::combine(V().leftCols(done_), Y_.leftCols(count)); }
 
  private:
   Eigen::Block<petsc::Tall, Eigen::Dynamic, Eigen::Dynamic, true> V() {

@@ -43,7 +43,7 @@ Found find_iteratively(const EigenProblem& problem, int wanted, const petsc::Tal
                        const ModesProgress& progress) {
   progress("multigrid", 0);
   const petsc::Matrix A = shifted(problem.full, safe_shift(problem));
-  const petsc::Multigrid cycle(A, near_null_space(problem.mesh, problem.dofs), "solve_");
+  const petsc::Multigrid cycle(A, near_null_space(problem.mesh, problem.dofs), "multigrid_");
   LobpcgOptions options;
   options.wanted = wanted;
   auto found = lobpcg(

@@ -22,21 +22,6 @@ petsc::Tall joined(const petsc::ConstTallRef& a, const petsc::ConstTallRef& b) {
   return both;
 }
 
-/// Residuals of the iterates and how far they are from what they have to reach.
-struct State {
-  petsc::Tall r;
-  Eigen::ArrayXd excess;  ///< residual over gate
-};
-
-State state_of(Mat K, Mat M, double norm_K, const RitzPairs& x) {
-  State s;
-  const Residuals quality = residuals(K, M, norm_K, x);
-  s.excess = quality.relative.array() / quality.gate.array();
-  s.r = petsc::multiply(K, x.vectors);
-  s.r -= petsc::multiply(M, x.vectors) * x.values.asDiagonal();
-  return s;
-}
-
 /// Coefficients of the next directions: the part of these columns of C that does not lie along the old X (the first
 /// rows), made orthonormal and orthogonal to all of C.
 MatrixXd directions(const MatrixXd& C, const std::vector<Index>& columns) {
@@ -69,13 +54,14 @@ LobpcgResult lobpcg(Mat K, Mat M, double norm_K, const BlockPreconditioner& prec
   double best = std::numeric_limits<double>::infinity();
   for (int waited = 0; result.iterations < options.iterations && waited < options.patience; ++result.iterations) {
     const Index wanted = std::min<Index>(options.wanted, x.values.size());
-    const State s = state_of(K, M, norm_K, x);
-    const auto met = [&](Index j) { return s.excess[j] <= options.fraction; };
+    const Residuals r = residuals(K, M, norm_K, x);
+    const Eigen::ArrayXd excess = r.relative.array() / r.gate.array();
+    const auto met = [&](Index j) { return excess[j] <= options.fraction; };
     result.converged = 0;
     while (result.converged < wanted && met(result.converged)) ++result.converged;
     progress(result.converged, static_cast<int>(wanted));
     if (result.converged == wanted) break;
-    const double sum = s.excess.head(wanted).max(options.fraction).log().sum();
+    const double sum = excess.head(wanted).max(options.fraction).log().sum();
     waited = sum < best - 0.01 ? 0 : waited + 1;
     best = std::min(best, sum);
 
@@ -83,7 +69,7 @@ LobpcgResult lobpcg(Mat K, Mat M, double norm_K, const BlockPreconditioner& prec
     for (Index j = 0; j < x.values.size(); ++j)
       if (j >= wanted || !met(j)) active.push_back(j);
     petsc::Tall W(start.rows(), static_cast<Index>(active.size()));
-    precondition(s.r(Eigen::all, active), W);
+    precondition(r.vectors(Eigen::all, active), W);
 
     if (result.iterations % refreshing == refreshing - 1) refresh(M, locked, x.vectors, P);
     const petsc::Tall XP = joined(x.vectors, P);
@@ -93,8 +79,8 @@ LobpcgResult lobpcg(Mat K, Mat M, double norm_K, const BlockPreconditioner& prec
     const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen((G + G.transpose()) / 2);
     const Index kept = x.values.size();
     const MatrixXd C = eigen.eigenvectors().leftCols(kept);
-    P = S * directions(C, active);
-    x = {eigen.eigenvalues().head(kept), S * C};
+    P = petsc::combine(S, directions(C, active));
+    x = {eigen.eigenvalues().head(kept), petsc::combine(S, C)};
   }
   const Index count = std::min<Index>(options.wanted, x.values.size());
   result.pairs = {x.values.head(count), x.vectors.leftCols(count)};

@@ -17,7 +17,7 @@ RitzPairs rayleigh_ritz(Mat K, Mat M, const petsc::ConstTallRef& against, petsc:
   const auto basis = x.leftCols(kept);
   const Eigen::MatrixXd product = petsc::inner(comm_of(K), basis, petsc::multiply(K, basis));
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen((product + product.transpose()) / 2);
-  return {eigen.eigenvalues(), basis * eigen.eigenvectors()};
+  return {eigen.eigenvalues(), petsc::combine(basis, eigen.eigenvectors())};
 }
 
 double one_norm(Mat A) {
@@ -34,7 +34,7 @@ Residuals residuals(Mat K, Mat M, double norm_K, const RitzPairs& pairs) {
   const Eigen::ArrayXd scale = pairs.values.array().abs() * petsc::column_norms(comm, mx).array();
   const Eigen::ArrayXd floor = 10 * std::numeric_limits<double>::epsilon() * norm_K *
                                petsc::column_norms(comm, pairs.vectors).array() / scale;
-  return {petsc::column_norms(comm, r).array() / scale, floor.max(residual_gate)};
+  return {petsc::column_norms(comm, r).array() / scale, floor.max(residual_gate), std::move(r)};
 }
 
 }  // namespace ritz::stages

@@ -16,6 +16,7 @@ RitzPairs rayleigh_ritz(Mat K, Mat M, const petsc::ConstTallRef& against, petsc:
 struct Residuals {
   Eigen::VectorXd relative;  ///< ‖Kψ − λMψ‖ / (λ‖Mψ‖)
   Eigen::VectorXd gate;      ///< max(1e-8, 10 ε‖K‖‖ψ‖ / (λ‖Mψ‖)), which `relative` has to meet
+  petsc::Tall vectors;       ///< Kψ − λMψ
 };
 
 /// `norm_K` is ‖K‖₁. *Collective*.

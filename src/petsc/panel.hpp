@@ -1,0 +1,44 @@
+// Eight vectors side by side: a matrix product reads each of its non-zeros once for all of them.
+#pragma once
+#include <Eigen/Core>
+
+#include "ritz/petsc/handle.hpp"
+
+namespace ritz::petsc {
+
+inline constexpr int panel_width = 8;
+
+/// This rank's rows of eight vectors, one row's eight numbers after the other.
+using Panel = Eigen::Matrix<double, Eigen::Dynamic, panel_width, Eigen::RowMajor>;
+
+/// y = A x on panels, for an AIJ matrix, which must outlive this and keep its pattern.
+class PanelProduct {
+ public:
+  /// *Collective*.
+  explicit PanelProduct(Mat A);
+
+  /// y = A x. x and y must not be the same. *Collective*.
+  void apply(const Panel& x, Panel& y);
+
+  /// y -= A x. *Collective*.
+  void subtract(const Panel& x, Panel& y);
+
+  PetscInt rows() const { return rows_; }
+
+ private:
+  /// The rows of a sequential matrix, without a copy.
+  struct Part {
+    Mat matrix = nullptr;
+    const PetscInt *starts = nullptr, *columns = nullptr;
+  };
+
+  static Part part_of(Mat A);
+  void add(double sign, const Panel& x, Panel& y);
+
+  PetscInt rows_ = 0;
+  Part own_, other_;     ///< columns that this rank owns; those of other ranks
+  StarForest exchange_;  ///< brings the rows of x that other ranks own
+  Panel ghosts_;
+};
+
+}  // namespace ritz::petsc
