@@ -50,22 +50,27 @@ std::string summary(const model::Modes& modes, const model::Inertia& inertia) {
   const Eigen::Matrix3d tensor = inertia.tensor();
   const Eigen::MatrixXd masses = inertia.effective_masses();
   const double mass = inertia.mass();
-  std::string text = formatted("mass %.6g kg, centre of mass (%.6g, %.6g, %.6g) m\n", mass, centre.x(), centre.y(), centre.z());
+  std::string text =
+      formatted("mass %.6g kg, centre of mass (%.6g, %.6g, %.6g) m\n", mass, centre.x(), centre.y(), centre.z());
   text += formatted("inertia about it (xx yy zz xy yz zx): %.5g %.5g %.5g %.5g %.5g %.5g kg m2\n", tensor(0, 0),
                     tensor(1, 1), tensor(2, 2), tensor(0, 1), tensor(1, 2), tensor(2, 0));
   text += "  mode  kind       frequency Hz    residual   effective mass x      y      z\n";
   const auto shown = std::min(most_rows, modes.eigenvalues.size());
   for (Eigen::Index i = 0; i < shown; ++i)
-    text += formatted("%6td  %-8s %14.7g  %10.2e          %6.2f %% %6.2f %6.2f\n", i + 1,
-                      word(modes.kinds[static_cast<std::size_t>(i)]), frequency(modes.eigenvalues[i]),
-                      modes.residuals[i], 100 * masses(i, 0) / mass, 100 * masses(i, 1) / mass, 100 * masses(i, 2) / mass);
-  if (shown < modes.eigenvalues.size()) text += formatted("  ... %td more in frequencies.csv\n", modes.eigenvalues.size() - shown);
-  text += formatted("   all                                          %6.2f %% %6.2f %6.2f\n", 100 * masses.col(0).sum() / mass,
-                    100 * masses.col(1).sum() / mass, 100 * masses.col(2).sum() / mass);
+    text +=
+        formatted("%6td  %-8s %14.7g  %10.2e          %6.2f %% %6.2f %6.2f\n", i + 1,
+                  word(modes.kinds[static_cast<std::size_t>(i)]), frequency(modes.eigenvalues[i]), modes.residuals[i],
+                  100 * masses(i, 0) / mass, 100 * masses(i, 1) / mass, 100 * masses(i, 2) / mass);
+  if (shown < modes.eigenvalues.size())
+    text += formatted("  ... %td more in frequencies.csv\n", modes.eigenvalues.size() - shown);
+  text +=
+      formatted("   all                                          %6.2f %% %6.2f %6.2f\n",
+                100 * masses.col(0).sum() / mass, 100 * masses.col(1).sum() / mass, 100 * masses.col(2).sum() / mass);
   const auto& c = modes.certificate;
   if (c.kind == model::Certified::inertia)
-    text += formatted("certified: %lld eigenvalues lie below (%.6g Hz)^2 by the inertia of K - sigma M, %lld were found\n",
-                      static_cast<long long>(c.counted), frequency(c.shift), static_cast<long long>(c.found));
+    text +=
+        formatted("certified: %lld eigenvalues lie below (%.6g Hz)^2 by the inertia of K - sigma M, %lld were found\n",
+                  static_cast<long long>(c.counted), frequency(c.shift), static_cast<long long>(c.found));
   else if (modes.eigenvalues.size() > 0)
     text += "not certified: without a factorization nothing counts the modes; -solver direct does\n";
   return text;

@@ -70,14 +70,15 @@ Drawn drawn_cells(const mesh::Mesh& mesh, const std::vector<int64_t>& positions,
   }
   for (const auto face : mesh.boundary) {
     const auto c = static_cast<std::size_t>(face.cell);
-    drawn.add(mesh.cells.numbers[c] * faces_a_cell + face.face,
-              fem::shape(fem::shape(mesh.cells.types[c]).face).vtk, rows_of(mesh::face_vertices(mesh, face)));
+    drawn.add(mesh.cells.numbers[c] * faces_a_cell + face.face, fem::shape(fem::shape(mesh.cells.types[c]).face).vtk,
+              rows_of(mesh::face_vertices(mesh, face)));
   }
   return drawn;
 }
 
 void add_cells(const mesh::Mesh& mesh, const Drawn& drawn, FileOrder& order) {
-  const auto rows = parallel::sorted_by_key(mesh.comm, drawn.keys, drawn.rows, cell_width, mesh.cells_total * faces_a_cell);
+  const auto rows =
+      parallel::sorted_by_key(mesh.comm, drawn.keys, drawn.rows, cell_width, mesh.cells_total * faces_a_cell);
   auto& cells = order.geometry.cells;
   cells.offsets = {0};
   for (std::size_t start = 0; start < rows.size(); start += cell_width) {

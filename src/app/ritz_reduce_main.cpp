@@ -12,7 +12,7 @@
 
 int main(int argc, char** argv) {
   using namespace ritz;
-  H5dont_atexit();  // HDF5 crashes there after a write that failed
+  H5dont_atexit();                              // HDF5 crashes there after a write that failed
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // one sentence of ours instead of HDF5's stack
   const petsc::Session session(argc, argv);
   return app::guarded(session.comm(), "ritz-reduce", [&] {

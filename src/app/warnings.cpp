@@ -28,10 +28,12 @@ bool locks(const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials) {
 std::vector<std::string> warnings(const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials) {
   auto notes = mesh::warnings(mesh);
   if (locks(mesh, materials))
-    notes.push_back("linear tetrahedra (tet4) lock at a Poisson's ratio above 0.45: frequencies come out too high; use tet10");
+    notes.push_back(
+        "linear tetrahedra (tet4) lock at a Poisson's ratio above 0.45: frequencies come out too high; use tet10");
   if (!petsc::blas_is_openblas())
-    notes.push_back("the BLAS that is loaded is not OpenBLAS; with the reference BLAS factorizations take several times longer "
-                    "(Debian: libopenblas-dev)");
+    notes.push_back(
+        "the BLAS that is loaded is not OpenBLAS; with the reference BLAS factorizations take several times longer "
+        "(Debian: libopenblas-dev)");
   return notes;
 }
 

@@ -40,7 +40,11 @@ class ParallelAccess {
 model::Provenance provenance(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
                              const std::vector<fem::StVK>& materials) {
   const Checksums sums = checksums(mesh, dofs, materials);
-  return {std::string("ritz-reduce ") + version, petsc::library_versions(), config.resolved, sums.mesh, sums.problem,
+  return {std::string("ritz-reduce ") + version,
+          petsc::library_versions(),
+          config.resolved,
+          sums.mesh,
+          sums.problem,
           parallel::size(mesh.comm)};
 }
 
@@ -86,7 +90,8 @@ void refuse_unwritable(MPI_Comm comm, const std::filesystem::path& output) {
     if (std::filesystem::is_directory(output))
       throw InputError("option -output " + output.string() + " is a folder; name a file such as model.h5");
     if (access(folder.c_str(), W_OK) != 0)
-      throw InputError("option -output " + output.string() + ": the folder " + folder.string() + " cannot be written to");
+      throw InputError("option -output " + output.string() + ": the folder " + folder.string() +
+                       " cannot be written to");
   });
 }
 

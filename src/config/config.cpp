@@ -36,9 +36,11 @@ mesh::Source read_source(Database& options) {
   mesh::Source source;
   source.units = mesh::parse_units(options.text("units", "m-kg-s"));
   source.partitioner = options.choice("partitioner", {"metis", "ptscotch"}, 0) == 0 ? mesh::Partitioner::metis
-                                                                                   : mesh::Partitioner::ptscotch;
+                                                                                    : mesh::Partitioner::ptscotch;
   const auto mesh = options.text("mesh");
-  if (!mesh) throw InputError("option -mesh is missing: give a mesh file or box:LX,LY,LZ/NX,NY,NZ/tet4 (-help lists all options)");
+  if (!mesh)
+    throw InputError(
+        "option -mesh is missing: give a mesh file or box:LX,LY,LZ/NX,NY,NZ/tet4 (-help lists all options)");
   if (mesh::names_box(*mesh)) source.mesh = mesh::parse_box(*mesh);
   else source.mesh = std::filesystem::path(*mesh);
   return source;
@@ -72,7 +74,8 @@ void read_solver_options(MPI_Comm comm) {
     petsc::read_multigrid_options(comm, "multigrid_");
   } catch (const NumericalError& error) {
     const std::string why = error.what();
-    throw InputError("an option under -modes_, -solve_ or -multigrid_ does not work: " + why.substr(0, why.find(" (in ")));
+    throw InputError("an option under -modes_, -solve_ or -multigrid_ does not work: " +
+                     why.substr(0, why.find(" (in ")));
   }
 }
 
@@ -92,7 +95,9 @@ Config read_config(MPI_Comm comm) {
   config.modes.slepc = std::any_of(solvers.begin(), solvers.end(), [](const auto& o) { return is_slepc(o.first); });
   config.solver = static_cast<Solver>(options.choice("solver", {"auto", "direct", "iterative"}, 0));
   if (config.modes.slepc && config.solver == Solver::iterative)
-    throw InputError("option -solver iterative: options under -modes_eps_ and -modes_st_ reach SLEPc under -solver direct; leave out one or the other");
+    throw InputError(
+        "option -solver iterative: options under -modes_eps_ and -modes_st_ reach SLEPc under -solver direct; leave "
+        "out one or the other");
   if (config.modes.slepc) config.solver = Solver::direct;
   config.reuse = options.text("reuse");
   config.rows = options.flag("surface_only") ? StoredRows::surface : StoredRows::all;

@@ -31,8 +31,8 @@ struct Config {
   mesh::Source source;
   std::vector<mesh::Fixed> supports;
   mesh::FileSupports file_supports = mesh::FileSupports::used;
-  MaterialOptions material;                            ///< for every region
-  std::map<std::string, MaterialOptions> by_region;    ///< wins over `material`
+  MaterialOptions material;                          ///< for every region
+  std::map<std::string, MaterialOptions> by_region;  ///< wins over `material`
   Solver solver = Solver::automatic;
   stages::ModesOptions modes;
   std::optional<std::filesystem::path> reuse;

@@ -37,8 +37,8 @@ T parse(const std::string& name, const std::string& word, const char* kind) {
 
 /// Options that are right but read only when PETSc ends, or when a solver has solved or set up its levels.
 bool is_late(const std::string& name) {
-  constexpr std::array at_the_end = {"log_view", "log_view_memory", "options_left", "options_view", "objects_dump",
-                                     "malloc_dump", "malloc_view", "memory_view", "mpidump", "citations"};
+  constexpr std::array at_the_end = {"log_view",    "log_view_memory", "options_left", "options_view", "objects_dump",
+                                     "malloc_dump", "malloc_view",     "memory_view",  "mpidump",      "citations"};
   constexpr std::array reports = {"_view", "_converged_reason", "_error_"};
   const auto holds = [&](const char* part) { return name.find(part) != name.npos; };
   if (std::find(at_the_end.begin(), at_the_end.end(), name) != at_the_end.end()) return true;
@@ -87,7 +87,8 @@ double Database::real(const std::string& name, double fallback, double least, do
   if (!given) resolved_.emplace_back(name, shown(fallback));
   const double value = given.value_or(fallback);
   if (!(value >= least && value <= most))
-    throw InputError("option -" + name + " " + shown(value) + " must lie between " + shown(least) + " and " + shown(most));
+    throw InputError("option -" + name + " " + shown(value) + " must lie between " + shown(least) + " and " +
+                     shown(most));
   return value;
 }
 

@@ -37,14 +37,39 @@ constexpr std::array entries = std::to_array<OptionEntry>({
 });
 
 constexpr std::array solvers = std::to_array<std::string_view>({
-    "modes_eps_type", "modes_eps_tol", "modes_eps_max_it", "modes_eps_ncv", "modes_eps_mpd", "modes_eps_nev",
-    "modes_eps_target", "modes_eps_monitor", "modes_eps_view", "modes_eps_converged_reason", "modes_st_type",
-    "modes_st_shift", "modes_st_ksp_type", "modes_st_ksp_rtol", "modes_st_ksp_max_it", "modes_st_pc_type",
-    "modes_st_pc_factor_mat_solver_type", "modes_st_pc_gamg_threshold", "modes_st_mat_mumps_icntl_14",
-    "solve_ksp_type", "solve_ksp_view", "solve_pc_type", "solve_pc_factor_mat_solver_type", "solve_mat_mumps_icntl_4",
-    "solve_mat_mumps_icntl_7", "solve_mat_mumps_icntl_14", "solve_mat_mumps_icntl_22", "solve_mat_mumps_cntl_1",
-    "multigrid_pc_gamg_threshold", "multigrid_pc_gamg_agg_nsmooths", "multigrid_pc_gamg_aggressive_coarsening",
-    "multigrid_pc_gamg_coarse_eq_limit", "multigrid_pc_mg_levels",
+    "modes_eps_type",
+    "modes_eps_tol",
+    "modes_eps_max_it",
+    "modes_eps_ncv",
+    "modes_eps_mpd",
+    "modes_eps_nev",
+    "modes_eps_target",
+    "modes_eps_monitor",
+    "modes_eps_view",
+    "modes_eps_converged_reason",
+    "modes_st_type",
+    "modes_st_shift",
+    "modes_st_ksp_type",
+    "modes_st_ksp_rtol",
+    "modes_st_ksp_max_it",
+    "modes_st_pc_type",
+    "modes_st_pc_factor_mat_solver_type",
+    "modes_st_pc_gamg_threshold",
+    "modes_st_mat_mumps_icntl_14",
+    "solve_ksp_type",
+    "solve_ksp_view",
+    "solve_pc_type",
+    "solve_pc_factor_mat_solver_type",
+    "solve_mat_mumps_icntl_4",
+    "solve_mat_mumps_icntl_7",
+    "solve_mat_mumps_icntl_14",
+    "solve_mat_mumps_icntl_22",
+    "solve_mat_mumps_cntl_1",
+    "multigrid_pc_gamg_threshold",
+    "multigrid_pc_gamg_agg_nsmooths",
+    "multigrid_pc_gamg_aggressive_coarsening",
+    "multigrid_pc_gamg_coarse_eq_limit",
+    "multigrid_pc_mg_levels",
 });
 
 }  // namespace
@@ -65,7 +90,8 @@ std::string help_text(std::string_view program) {
         << (e.fallback.empty() ? "" : "default: ") << e.fallback << '\n';
   }
   out << "\nsolvers: options under -solve_ksp_, -solve_pc_ and -solve_mat_mumps_ reach the factorization, those under\n"
-         "-multigrid_pc_ the levels of the multigrid; any option under -modes_eps_ or -modes_st_ hands the modes of the\n"
+         "-multigrid_pc_ the levels of the multigrid; any option under -modes_eps_ or -modes_st_ hands the modes of "
+         "the\n"
          "direct strategy to SLEPc (Krylov-Schur, or the solver that it names).\n"
          "exit codes: 0 done; 1 the numerics failed; 2 the input is wrong.\n";
   return out.str();

@@ -6,13 +6,9 @@
 
 namespace ritz::format {
 
-std::uint64_t sum(const Access& access, std::uint64_t value) {
-  return access.sum ? access.sum(value) : value;
-}
+std::uint64_t sum(const Access& access, std::uint64_t value) { return access.sum ? access.sum(value) : value; }
 
-std::uint64_t shared(const Access& access, std::uint64_t value) {
-  return sum(access, access.writes_small ? value : 0);
-}
+std::uint64_t shared(const Access& access, std::uint64_t value) { return sum(access, access.writes_small ? value : 0); }
 
 std::string shared(const Access& access, std::string bytes) {
   if (!access.sum) return bytes;

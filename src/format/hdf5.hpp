@@ -26,12 +26,9 @@ class Quiet {
 /// The type in the file (and, little-endian machines only, in memory). HDF5 owns it.
 template <class T>
 hid_t hdf5_type() {
-  if constexpr (std::is_same_v<T, double>)
-    return H5T_IEEE_F64LE;
-  else if constexpr (std::is_same_v<T, std::int64_t>)
-    return H5T_STD_I64LE;
-  else if constexpr (std::is_same_v<T, std::uint64_t>)
-    return H5T_STD_U64LE;
+  if constexpr (std::is_same_v<T, double>) return H5T_IEEE_F64LE;
+  else if constexpr (std::is_same_v<T, std::int64_t>) return H5T_STD_I64LE;
+  else if constexpr (std::is_same_v<T, std::uint64_t>) return H5T_STD_U64LE;
   else {
     static_assert(std::is_same_v<T, std::uint8_t>);
     return H5T_STD_U8LE;

@@ -9,9 +9,7 @@ namespace {
 
 constexpr auto eigenvalue_units = "rad^2/s^2";
 
-std::span<const double> view(const Eigen::VectorXd& v) {
-  return {v.data(), static_cast<std::size_t>(v.size())};
-}
+std::span<const double> view(const Eigen::VectorXd& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
 
 void write_certificate(const ModelWriter& out, const std::string& group, const model::Certificate& certificate) {
   create_group(out, group);

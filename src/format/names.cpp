@@ -21,24 +21,12 @@ bool find(const Names& names, std::string_view text, Enum& value) {
 
 }  // namespace
 
-std::string_view name(model::Rows rows) {
-  return rows_names[static_cast<std::size_t>(rows)];
-}
-std::string_view name(model::ModeKind kind) {
-  return kind_names[static_cast<std::size_t>(kind)];
-}
-std::string_view name(model::Certified certified) {
-  return certified_names[static_cast<std::size_t>(certified)];
-}
+std::string_view name(model::Rows rows) { return rows_names[static_cast<std::size_t>(rows)]; }
+std::string_view name(model::ModeKind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
+std::string_view name(model::Certified certified) { return certified_names[static_cast<std::size_t>(certified)]; }
 
-bool parse(std::string_view text, model::Rows& rows) {
-  return find(rows_names, text, rows);
-}
-bool parse(std::string_view text, model::ModeKind& kind) {
-  return find(kind_names, text, kind);
-}
-bool parse(std::string_view text, model::Certified& certified) {
-  return find(certified_names, text, certified);
-}
+bool parse(std::string_view text, model::Rows& rows) { return find(rows_names, text, rows); }
+bool parse(std::string_view text, model::ModeKind& kind) { return find(kind_names, text, kind); }
+bool parse(std::string_view text, model::Certified& certified) { return find(certified_names, text, certified); }
 
 }  // namespace ritz::format

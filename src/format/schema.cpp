@@ -16,14 +16,10 @@ std::string link_name(std::string_view name) {
   if (name.empty()) return "%";
   std::string link;
   for (const char c : name) {
-    if (c == '/')
-      link += "%2F";
-    else if (c == '%')
-      link += "%25";
-    else if (c == '.' && link.empty())
-      link += "%2E";
-    else
-      link += c;
+    if (c == '/') link += "%2F";
+    else if (c == '%') link += "%25";
+    else if (c == '.' && link.empty()) link += "%2E";
+    else link += c;
   }
   return link;
 }

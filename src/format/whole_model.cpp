@@ -49,8 +49,6 @@ model::Model read(const ModelReader& in) {
   return model;
 }
 
-model::Model read(const std::filesystem::path& path) {
-  return read(ModelReader(path));
-}
+model::Model read(const std::filesystem::path& path) { return read(ModelReader(path)); }
 
 }  // namespace ritz::format

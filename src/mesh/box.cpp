@@ -67,9 +67,7 @@ struct VertexGrid {
 
   Index points(std::size_t d) const { return step * cells[d] + 1; }
   Index number(const Grid& v) const { return v[0] + points(0) * (v[1] + points(1) * v[2]); }
-  Grid position(Index n) const {
-    return {n % points(0), n / points(0) % points(1), n / points(0) / points(1)};
-  }
+  Grid position(Index n) const { return {n % points(0), n / points(0) % points(1), n / points(0) / points(1)}; }
 };
 
 int owner_of(const Grid& v, const VertexGrid& grid, const Cut& cut) {
@@ -107,7 +105,8 @@ std::vector<std::vector<Grid>> cell_corners(fem::CellType type) {
 }
 
 std::vector<Grid> with_midpoints(std::vector<Grid> corners) {
-  constexpr std::array<std::pair<std::size_t, std::size_t>, 6> edges = {{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
+  constexpr std::array<std::pair<std::size_t, std::size_t>, 6> edges = {
+      {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
   std::vector<Grid> all;
   for (const auto& c : corners) all.push_back({2 * c[0], 2 * c[1], 2 * c[2]});
   for (const auto& [a, b] : edges)
@@ -119,8 +118,11 @@ std::vector<Grid> with_midpoints(std::vector<Grid> corners) {
 class Maker {
  public:
   Maker(const Box& box, int rank, int ranks)
-      : box_(box), rank_(rank), cut_(box.cells, ranks),
-        grid_{box.cells, box.type == fem::CellType::tet10 ? 2 : 1}, pattern_(cell_corners(box.type)) {
+      : box_(box),
+        rank_(rank),
+        cut_(box.cells, ranks),
+        grid_{box.cells, box.type == fem::CellType::tet10 ? 2 : 1},
+        pattern_(cell_corners(box.type)) {
     if (box.type == fem::CellType::tet10)
       for (auto& cell : pattern_) cell = with_midpoints(cell);
     part_.sets.resize(7);
@@ -181,7 +183,8 @@ class Maker {
         const std::size_t d = side / 2;
         const Index plane = side % 2 ? grid_.step * box_.cells[d] : 0;
         const auto local = fem::face_vertices(box_.type, f);
-        if (!std::all_of(local.begin(), local.end(), [&](int v) { return at[static_cast<std::size_t>(v)][d] == plane; }))
+        if (!std::all_of(local.begin(), local.end(),
+                         [&](int v) { return at[static_cast<std::size_t>(v)][d] == plane; }))
           continue;
         part_.boundary.push_back({cell, f});
         part_.sets[side].faces.push_back({cell, f});

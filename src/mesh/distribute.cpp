@@ -26,8 +26,12 @@ std::vector<std::int32_t> vertex_owners(const FileMesh& mesh, const std::vector<
 class Cutter {
  public:
   Cutter(const FileMesh& mesh, const Topology& topology, const std::vector<std::int32_t>& cell_owners)
-      : mesh_(mesh), topology_(topology), cell_owners_(cell_owners), owners_(vertex_owners(mesh, cell_owners)),
-        local_cell_(mesh.cell_types.size(), -1), local_(mesh.points.size(), 0) {}
+      : mesh_(mesh),
+        topology_(topology),
+        cell_owners_(cell_owners),
+        owners_(vertex_owners(mesh, cell_owners)),
+        local_cell_(mesh.cell_types.size(), -1),
+        local_(mesh.points.size(), 0) {}
 
   Part cut(int rank) {
     Part part;
@@ -38,8 +42,7 @@ class Cutter {
       if (cell_owners_[c] != rank && touches(c, rank)) add_cell(part, c);
     add_vertices(part);
     add_faces(part, rank);
-    for (const auto& support : mesh_.supports)
-      part.supports.push_back({present(support.vertices), support.components});
+    for (const auto& support : mesh_.supports) part.supports.push_back({present(support.vertices), support.components});
     for (const Index v : part.positions) local_[static_cast<std::size_t>(v)] = 0;
     return part;
   }
@@ -84,8 +87,8 @@ class Cutter {
   void add_faces(Part& part, int rank) const {
     part.boundary = owned_faces(topology_.boundary, rank);
     for (std::size_t s = 0; s < mesh_.sets.size(); ++s)
-      part.sets.push_back({present(mesh_.sets[s].vertices), owned_faces(topology_.set_faces[s], rank),
-                           !mesh_.sets[s].faces.empty()});
+      part.sets.push_back(
+          {present(mesh_.sets[s].vertices), owned_faces(topology_.set_faces[s], rank), !mesh_.sets[s].faces.empty()});
   }
 
   std::vector<Index> present(const std::vector<Index>& vertices) const {

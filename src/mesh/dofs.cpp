@@ -14,7 +14,8 @@ const Set& find_set(const Mesh& mesh, const std::string& name, const std::string
   if (const Set* set = mesh.find(name)) return *set;
   std::vector<std::string> names;
   for (const auto& set : mesh.sets) names.push_back(set.name);
-  if (names.empty()) throw InputError("option -fix " + text + ": the mesh has no named sets; use box:x0,x1,y0,y1,z0,z1");
+  if (names.empty())
+    throw InputError("option -fix " + text + ": the mesh has no named sets; use box:x0,x1,y0,y1,z0,z1");
   throw InputError("option -fix " + text + ": the mesh has no set '" + name + "'; did you mean '" +
                    nearest(name, names) + "'?");
 }
@@ -34,7 +35,8 @@ std::vector<int> vertices_of(const Mesh& mesh, const Fixed& support) {
     inside.push_back(v);
     owned += v < mesh.owned;
   }
-  if (parallel::sum(mesh.comm, owned) == 0) throw InputError("option -fix " + support.text + ": no vertex lies in that box");
+  if (parallel::sum(mesh.comm, owned) == 0)
+    throw InputError("option -fix " + support.text + ": no vertex lies in that box");
   return inside;
 }
 
@@ -102,7 +104,8 @@ Dofs number(const Mesh& mesh, const std::vector<Fixed>& supports, FileSupports f
   for (std::size_t v = 0; v < static_cast<std::size_t>(mesh.owned); ++v) {
     const int fixed = mask[3 * v] + 2 * mask[3 * v + 1] + 4 * mask[3 * v + 2];
     partly |= fixed != 0 && fixed != 7;
-    if (fixed) sum += split_mix(static_cast<std::uint64_t>(mesh.file_positions[v]) * 8 + static_cast<std::uint64_t>(fixed));
+    if (fixed)
+      sum += split_mix(static_cast<std::uint64_t>(mesh.file_positions[v]) * 8 + static_cast<std::uint64_t>(fixed));
   }
   dofs.block = parallel::max(mesh.comm, partly) ? 1 : components;
   dofs.checksum = parallel::sum(mesh.comm, sum);

@@ -30,11 +30,11 @@ enum class FileSupports { used, ignored };
 struct Dofs {
   MPI_Comm comm = MPI_COMM_NULL;
   Index total = 0;
-  Index first = 0;               ///< the first that this rank owns
+  Index first = 0;  ///< the first that this rank owns
   int owned = 0;
-  int block = components;        ///< 3 where every vertex is wholly free or wholly fixed, else 1
-  std::vector<Index> numbers;    ///< 3 a local vertex: global number, or -1 where fixed
-  std::uint64_t checksum = 0;    ///< of what is fixed; the same on any number of ranks
+  int block = components;      ///< 3 where every vertex is wholly free or wholly fixed, else 1
+  std::vector<Index> numbers;  ///< 3 a local vertex: global number, or -1 where fixed
+  std::uint64_t checksum = 0;  ///< of what is fixed; the same on any number of ranks
 
   Index number(int vertex, int component) const {
     return numbers[static_cast<std::size_t>(components * vertex + component)];

@@ -66,24 +66,24 @@ struct Mesh {
 
   /// Local vertices: the `owned` first, by ascending file position; then ghosts.
   int owned = 0;
-  Index first = 0;                       ///< global number of the first owned vertex
-  std::vector<Index> file_positions;     ///< row in the file's order, among vertices that cells use
-  std::vector<Index> ids;                ///< the file's own numbers
-  std::vector<Index> global;             ///< global number: owned ones contiguous by rank
-  Eigen::Matrix3Xd points;               ///< m
-  std::vector<int> vertex_pieces;        ///< a piece that the vertex belongs to
+  Index first = 0;                    ///< global number of the first owned vertex
+  std::vector<Index> file_positions;  ///< row in the file's order, among vertices that cells use
+  std::vector<Index> ids;             ///< the file's own numbers
+  std::vector<Index> global;          ///< global number: owned ones contiguous by rank
+  Eigen::Matrix3Xd points;            ///< m
+  std::vector<int> vertex_pieces;     ///< a piece that the vertex belongs to
 
   Cells cells;
-  std::vector<CellFace> boundary;        ///< boundary faces of owned cells
-  std::vector<Region> regions;           ///< materials in SI
+  std::vector<CellFace> boundary;  ///< boundary faces of owned cells
+  std::vector<Region> regions;     ///< materials in SI
   std::vector<Set> sets;
-  std::vector<Support> supports;         ///< those that the file states
+  std::vector<Support> supports;  ///< those that the file states
 
-  int pieces = 0;                        ///< parts connected through faces: rigid bodies of a mechanism
-  int components = 0;                    ///< parts connected at all
+  int pieces = 0;      ///< parts connected through faces: rigid bodies of a mechanism
+  int components = 0;  ///< parts connected at all
   std::vector<Joint> joints;
-  Index dropped_vertices = 0;            ///< in the file, in no cell
-  std::uint64_t checksum = 0;            ///< of vertices, cells and regions; the same on any number of ranks
+  Index dropped_vertices = 0;  ///< in the file, in no cell
+  std::uint64_t checksum = 0;  ///< of vertices, cells and regions; the same on any number of ranks
 
   int local_vertices() const { return static_cast<int>(file_positions.size()); }
   Eigen::Matrix<double, 3, Eigen::Dynamic> corners(int cell) const;

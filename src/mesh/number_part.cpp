@@ -4,8 +4,8 @@
 #include <numeric>
 
 #include "ritz/base/random.hpp"
-#include "ritz/parallel/comm.hpp"
 #include "ritz/mesh/part.hpp"
+#include "ritz/parallel/comm.hpp"
 
 namespace ritz::mesh {
 namespace {
@@ -27,7 +27,8 @@ void number_ghosts(Mesh& mesh, const std::vector<std::int32_t>& owners) {
   for (auto& list : answers)
     for (auto& position : list) {
       const auto end = mesh.file_positions.begin() + mesh.owned;
-      position = mesh.first + (std::lower_bound(mesh.file_positions.begin(), end, position) - mesh.file_positions.begin());
+      position =
+          mesh.first + (std::lower_bound(mesh.file_positions.begin(), end, position) - mesh.file_positions.begin());
     }
   answers = parallel::exchange(mesh.comm, answers);
   std::vector<std::size_t> next(answers.size(), 0);

@@ -33,8 +33,7 @@ Graph<Int> make_graph(Index cells, const std::vector<std::array<Index, 2>>& pair
 
 }  // namespace
 
-std::vector<std::int32_t> partition_metis(Index cells, const std::vector<std::array<Index, 2>>& neighbours,
-                                          int ranks) {
+std::vector<std::int32_t> partition_metis(Index cells, const std::vector<std::array<Index, 2>>& neighbours, int ranks) {
   std::vector<std::int32_t> parts(static_cast<std::size_t>(cells), 0);
   if (ranks == 1) return parts;
   if (cells <= ranks) {
@@ -49,7 +48,8 @@ std::vector<std::int32_t> partition_metis(Index cells, const std::vector<std::ar
   auto n = static_cast<idx_t>(cells), constraints = idx_t{1}, wanted = static_cast<idx_t>(ranks), cut = idx_t{0};
   const int status = METIS_PartGraphKway(&n, &constraints, graph.starts.data(), graph.columns.data(), nullptr, nullptr,
                                          nullptr, &wanted, nullptr, nullptr, options.data(), &cut, answer.data());
-  if (status != METIS_OK) throw NumericalError("METIS could not partition the mesh (status " + std::to_string(status) + ")");
+  if (status != METIS_OK)
+    throw NumericalError("METIS could not partition the mesh (status " + std::to_string(status) + ")");
   for (std::size_t c = 0; c < parts.size(); ++c) parts[c] = static_cast<std::int32_t>(answer[c]);
   return parts;
 }
@@ -72,8 +72,8 @@ std::vector<std::int32_t> partition_ptscotch(MPI_Comm comm, Index cells,
   const auto my_columns = parallel::exchange(comm, columns)[0];
   std::vector<PetscInt> starts = {0};
   for (const auto d : my_degrees) starts.push_back(starts.back() + static_cast<PetscInt>(d));
-  const auto parts = petsc::partition_graph(comm, starts, {my_columns.begin(), my_columns.end()},
-                                            static_cast<PetscInt>(cells));
+  const auto parts =
+      petsc::partition_graph(comm, starts, {my_columns.begin(), my_columns.end()}, static_cast<PetscInt>(cells));
   return parallel::gather_all(comm, parts);
 }
 

@@ -13,9 +13,8 @@ namespace ritz::mesh {
 namespace {
 
 double jacobian_of(const Mesh& mesh, int cell) {
-  return fem::visit(mesh.cells.types[static_cast<std::size_t>(cell)], [&]<class E>(E) {
-    return fem::smallest_jacobian<E>(fem::Coordinates<E>(mesh.corners(cell)));
-  });
+  return fem::visit(mesh.cells.types[static_cast<std::size_t>(cell)],
+                    [&]<class E>(E) { return fem::smallest_jacobian<E>(fem::Coordinates<E>(mesh.corners(cell))); });
 }
 
 double dihedral_of(const Mesh& mesh, int cell) {

@@ -8,9 +8,7 @@
 namespace ritz::mesh {
 namespace {
 
-bool blank(char c) {
-  return c == ' ' || c == ',' || c == '\t' || c == '\r';
-}
+bool blank(char c) { return c == ' ' || c == ',' || c == '\t' || c == '\r'; }
 
 }  // namespace
 
@@ -95,9 +93,7 @@ double Cursor::unusual_real(std::string_view what) {
   return error == std::errc() ? value : 0.0;
 }
 
-bool Cursor::separates(const char* next) const {
-  return next == data_ + end_ || blank(*next) || *next == '\n';
-}
+bool Cursor::separates(const char* next) const { return next == data_ + end_ || blank(*next) || *next == '\n'; }
 
 std::string_view Cursor::token() const {
   auto last = position_;
@@ -109,8 +105,7 @@ void Cursor::unexpected(std::string_view what) const {
   std::string found(token().substr(0, 24));
   if (found.empty())
     found = at_end() && end_ == (*sources_)[file_].bytes.size() ? "the end of the file" : "the end of the line";
-  else
-    found = "'" + found + "'";
+  else found = "'" + found + "'";
   fail("expected " + std::string(what) + ", found " + found);
 }
 

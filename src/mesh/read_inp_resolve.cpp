@@ -66,9 +66,7 @@ ListedSet& listed_set(Resolver& look, const std::string& name) {
   return sets[found->second];
 }
 
-void append(std::vector<Index>& to, const std::vector<Index>& from) {
-  to.insert(to.end(), from.begin(), from.end());
-}
+void append(std::vector<Index>& to, const std::vector<Index>& from) { to.insert(to.end(), from.begin(), from.end()); }
 
 void add_surface_cell(const Resolver& look, const InpSurfaceEntry& entry, Index cell, ListedSet& set) {
   const auto kind = traits(look.model.mesh.shapes[static_cast<std::size_t>(cell)]);
@@ -148,10 +146,8 @@ FileMesh resolve_inp(const Sources& sources, InpModel model) {
   for (const auto& set : model.element_sets.sets) append(listed_set(look, set.name).cells, cells_of(look, set));
   for (const auto& set : model.node_sets.sets) append(listed_set(look, set.name).vertices, vertices_of(look, set));
   for (const auto& surface : model.surfaces) resolve_surface(look, surface);
-  if (model.sections.empty())
-    regions_from_sets(look);
-  else
-    resolve_sections(look);
+  if (model.sections.empty()) regions_from_sets(look);
+  else resolve_sections(look);
   for (const auto& boundary : model.boundaries) {
     auto vertices = target(look, boundary.target, boundary.place, model.node_sets, look.ids.vertices, vertices_of);
     std::sort(vertices.begin(), vertices.end());

@@ -76,10 +76,8 @@ void read_set(Deck& deck, const Keyword& keyword, InpSets& sets, std::size_t int
   std::set<std::size_t> nested;
   while (const auto line = deck.next_data()) {
     auto& set = sets.sets[into];
-    if (ranges)
-      set.members.push_back(read_range(deck, *line));
-    else
-      read_list(deck, *line, set, sets, nested);
+    if (ranges) set.members.push_back(read_range(deck, *line));
+    else read_list(deck, *line, set, sets, nested);
   }
   if (!nested.empty()) add_nested(sets, into, nested);
 }

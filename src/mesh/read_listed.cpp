@@ -7,9 +7,7 @@
 namespace ritz::mesh {
 namespace {
 
-std::string number(Index value) {
-  return std::to_string(value);
-}
+std::string number(Index value) { return std::to_string(value); }
 
 // The file's numbers in cell_vertices become positions.
 void number_vertices(const Sources& sources, const IdMap& vertices, ListedMesh& mesh) {

@@ -20,24 +20,15 @@ struct ShapeTraits {
 
 constexpr ShapeTraits traits(Shape shape) {
   switch (shape) {
-    case Shape::point:
-      return {0, 1, {}, {}};
-    case Shape::line2:
-      return {1, 2, {}, {}};
-    case Shape::line3:
-      return {1, 3, {}, {}};
-    case Shape::tri3:
-      return {2, 3, {}, fem::FaceType::tri3};
-    case Shape::tri6:
-      return {2, 6, {}, fem::FaceType::tri6};
-    case Shape::quad4:
-      return {2, 4, {}, fem::FaceType::quad4};
-    case Shape::tet4:
-      return {3, 4, fem::CellType::tet4, {}};
-    case Shape::tet10:
-      return {3, 10, fem::CellType::tet10, {}};
-    case Shape::hex8:
-      return {3, 8, fem::CellType::hex8, {}};
+    case Shape::point: return {0, 1, {}, {}};
+    case Shape::line2: return {1, 2, {}, {}};
+    case Shape::line3: return {1, 3, {}, {}};
+    case Shape::tri3: return {2, 3, {}, fem::FaceType::tri3};
+    case Shape::tri6: return {2, 6, {}, fem::FaceType::tri6};
+    case Shape::quad4: return {2, 4, {}, fem::FaceType::quad4};
+    case Shape::tet4: return {3, 4, fem::CellType::tet4, {}};
+    case Shape::tet10: return {3, 10, fem::CellType::tet10, {}};
+    case Shape::hex8: return {3, 8, fem::CellType::hex8, {}};
   }
   return {};
 }

@@ -61,24 +61,15 @@ Version read_format(Sources& sources, unsigned file, MshInput& input) {
 void read_section(const Sources& sources, MshFile& msh, Version version, const Section& section) {
   const auto& name = section.name;
   const auto is = [&](const char* section, Version its) { return name == section && version == its; };
-  if (name == "PhysicalNames")
-    read_physical_names(msh.input, msh.groups);
-  else if (is("Nodes", Version::v2))
-    read_msh2_nodes(msh);
-  else if (is("ParametricNodes", Version::v2))
-    read_msh2_parametric_nodes(msh);
-  else if (is("Elements", Version::v2))
-    read_msh2_elements(msh);
-  else if (is("Entities", Version::v4))
-    read_msh4_entities(msh);
-  else if (is("PartitionedEntities", Version::v4))
-    read_msh4_partitioned_entities(msh);
-  else if (is("Nodes", Version::v4))
-    read_msh4_nodes(msh);
-  else if (is("Elements", Version::v4))
-    read_msh4_elements(msh);
-  else
-    skip_section(sources, msh.input.cursor, section);
+  if (name == "PhysicalNames") read_physical_names(msh.input, msh.groups);
+  else if (is("Nodes", Version::v2)) read_msh2_nodes(msh);
+  else if (is("ParametricNodes", Version::v2)) read_msh2_parametric_nodes(msh);
+  else if (is("Elements", Version::v2)) read_msh2_elements(msh);
+  else if (is("Entities", Version::v4)) read_msh4_entities(msh);
+  else if (is("PartitionedEntities", Version::v4)) read_msh4_partitioned_entities(msh);
+  else if (is("Nodes", Version::v4)) read_msh4_nodes(msh);
+  else if (is("Elements", Version::v4)) read_msh4_elements(msh);
+  else skip_section(sources, msh.input.cursor, section);
 }
 
 }  // namespace

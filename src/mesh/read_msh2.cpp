@@ -132,10 +132,8 @@ void read_msh2_parametric_nodes(MshFile& msh) {
 
 void read_msh2_elements(MshFile& msh) {
   const Index count = open_section(msh.input, "elements", 3);
-  if (msh.input.encoding == MshEncoding::text)
-    read_text_elements(msh, count);
-  else
-    read_binary_elements(msh, count);
+  if (msh.input.encoding == MshEncoding::text) read_text_elements(msh, count);
+  else read_binary_elements(msh, count);
   msh.input.close_section("Elements");
 }
 

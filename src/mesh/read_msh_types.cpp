@@ -8,36 +8,21 @@ namespace {
 
 const char* unsupported(Index type) {
   switch (type) {
-    case 6:
-      return "a prism with 6 vertices";
-    case 7:
-      return "a pyramid with 5 vertices";
-    case 10:
-      return "a quadrilateral with 9 vertices";
-    case 12:
-      return "a hexahedron with 27 vertices";
-    case 13:
-      return "a prism with 18 vertices";
-    case 14:
-      return "a pyramid with 14 vertices";
-    case 16:
-      return "a quadrilateral with 8 vertices";
-    case 17:
-      return "a hexahedron with 20 vertices";
-    case 18:
-      return "a prism with 15 vertices";
-    case 19:
-      return "a pyramid with 13 vertices";
-    case 29:
-      return "a tetrahedron with 20 vertices";
-    case 30:
-      return "a tetrahedron with 35 vertices";
-    case 31:
-      return "a tetrahedron with 56 vertices";
-    case 92:
-      return "a hexahedron with 64 vertices";
-    default:
-      return "of a kind ritz does not know";
+    case 6: return "a prism with 6 vertices";
+    case 7: return "a pyramid with 5 vertices";
+    case 10: return "a quadrilateral with 9 vertices";
+    case 12: return "a hexahedron with 27 vertices";
+    case 13: return "a prism with 18 vertices";
+    case 14: return "a pyramid with 14 vertices";
+    case 16: return "a quadrilateral with 8 vertices";
+    case 17: return "a hexahedron with 20 vertices";
+    case 18: return "a prism with 15 vertices";
+    case 19: return "a pyramid with 13 vertices";
+    case 29: return "a tetrahedron with 20 vertices";
+    case 30: return "a tetrahedron with 35 vertices";
+    case 31: return "a tetrahedron with 56 vertices";
+    case 92: return "a hexahedron with 64 vertices";
+    default: return "of a kind ritz does not know";
   }
 }
 
@@ -45,24 +30,15 @@ const char* unsupported(Index type) {
 
 Shape msh_shape(const MshInput& input, Index type) {
   switch (type) {
-    case 1:
-      return Shape::line2;
-    case 2:
-      return Shape::tri3;
-    case 3:
-      return Shape::quad4;
-    case 4:
-      return Shape::tet4;
-    case 5:
-      return Shape::hex8;
-    case 8:
-      return Shape::line3;
-    case 9:
-      return Shape::tri6;
-    case 11:
-      return Shape::tet10;
-    case 15:
-      return Shape::point;
+    case 1: return Shape::line2;
+    case 2: return Shape::tri3;
+    case 3: return Shape::quad4;
+    case 4: return Shape::tet4;
+    case 5: return Shape::hex8;
+    case 8: return Shape::line3;
+    case 9: return Shape::tri6;
+    case 11: return Shape::tet10;
+    case 15: return Shape::point;
     default:
       input.fail("Gmsh element type " + std::to_string(type) + " is " + unsupported(type) +
                  "; mesh with tetrahedra of order 1 or 2 or hexahedra of order 1");

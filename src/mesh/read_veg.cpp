@@ -165,16 +165,11 @@ void read_sections(VegFile& veg) {
       continue;
     }
     in_set = keyword == "*SET";
-    if (keyword == "*VERTICES")
-      read_vertices(veg);
-    else if (keyword == "*ELEMENTS")
-      read_elements(veg);
-    else if (keyword == "*MATERIAL")
-      read_material(veg, rest);
-    else if (keyword == "*SET")
-      begin_set(veg, rest);
-    else if (keyword == "*REGION")
-      read_region(veg);
+    if (keyword == "*VERTICES") read_vertices(veg);
+    else if (keyword == "*ELEMENTS") read_elements(veg);
+    else if (keyword == "*MATERIAL") read_material(veg, rest);
+    else if (keyword == "*SET") begin_set(veg, rest);
+    else if (keyword == "*REGION") read_region(veg);
     else {
       veg.lines.fail(line->place, "expected *VERTICES, *ELEMENTS, *MATERIAL, *SET, *REGION or *INCLUDE, found '" +
                                       std::string(text.substr(0, 24)) + "' (more entries than stated?)");

@@ -41,24 +41,15 @@ Index times(const VtuFile& vtu, const pugi::xml_node& node, Index count, Index e
 
 Shape shape_of(const VtuFile& vtu, const pugi::xml_node& node, Index type) {
   switch (type) {
-    case 1:
-      return Shape::point;
-    case 3:
-      return Shape::line2;
-    case 5:
-      return Shape::tri3;
-    case 9:
-      return Shape::quad4;
-    case 10:
-      return Shape::tet4;
-    case 12:
-      return Shape::hex8;
-    case 21:
-      return Shape::line3;
-    case 22:
-      return Shape::tri6;
-    case 24:
-      return Shape::tet10;
+    case 1: return Shape::point;
+    case 3: return Shape::line2;
+    case 5: return Shape::tri3;
+    case 9: return Shape::quad4;
+    case 10: return Shape::tet4;
+    case 12: return Shape::hex8;
+    case 21: return Shape::line3;
+    case 22: return Shape::tri6;
+    case 24: return Shape::tet10;
     default:
       vtu.fail(node, "VTK cell type " + std::to_string(type) +
                          " is not supported; ritz has tetrahedra (10, 24) and hexahedra (12)");
@@ -140,10 +131,8 @@ void add_vertex_sets(VtuMesh& from) {
   auto& sets = from.mesh.sets;
   for (auto& [name, vertices] : from.vertex_sets) {
     const auto same = std::find_if(sets.begin(), sets.end(), [&](const auto& set) { return set.name == name; });
-    if (same != sets.end())
-      same->vertices = std::move(vertices);
-    else
-      sets.push_back({.name = name, .vertices = std::move(vertices), .cells = {}, .faces = {}});
+    if (same != sets.end()) same->vertices = std::move(vertices);
+    else sets.push_back({.name = name, .vertices = std::move(vertices), .cells = {}, .faces = {}});
   }
 }
 

@@ -7,9 +7,7 @@
 namespace ritz::mesh {
 namespace {
 
-std::string type_of(const pugi::xml_node& array) {
-  return array.attribute("type").value();
-}
+std::string type_of(const pugi::xml_node& array) { return array.attribute("type").value(); }
 
 template <class From, class To>
 std::vector<To> converted(const VtuFile& vtu, const pugi::xml_node& array, const std::string& bytes, Index count) {
@@ -73,9 +71,7 @@ bool is_integer(const pugi::xml_node& array) {
   return type.starts_with("Int") || type.starts_with("UInt");
 }
 
-bool is_byte(const pugi::xml_node& array) {
-  return type_of(array) == "Int8" || type_of(array) == "UInt8";
-}
+bool is_byte(const pugi::xml_node& array) { return type_of(array) == "Int8" || type_of(array) == "UInt8"; }
 
 std::vector<double> reals(const VtuFile& vtu, const pugi::xml_node& array, Index count) {
   const auto type = type_of(array);

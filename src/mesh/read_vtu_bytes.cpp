@@ -23,9 +23,7 @@ constexpr auto base64_values = [] {
   return values;
 }();
 
-bool blank(char c) {
-  return c == ' ' || c == '\n' || c == '\r' || c == '\t';
-}
+bool blank(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
 
 /// Hands out bytes in order. Base64 is decoded four characters at a time, so that a padded header may come first.
 class ByteStream {

@@ -28,7 +28,9 @@ struct Unpacker {
 
   std::int64_t next() { return words[at++]; }
   template <class T>
-  void operator()(T& x) { x = static_cast<T>(next()); }
+  void operator()(T& x) {
+    x = static_cast<T>(next());
+  }
   void operator()(std::vector<CellFace>& faces) {
     faces.resize(static_cast<std::size_t>(next()));
     for (auto& f : faces) {
@@ -124,8 +126,8 @@ Part receive_part(MPI_Comm comm, int from) {
 }
 
 void broadcast_shared(MPI_Comm comm, Shared& shared) {
-  std::vector<std::int64_t> counts = {shared.vertices_total, shared.cells_total, shared.dropped_vertices,
-                                      shared.pieces, shared.components};
+  std::vector<std::int64_t> counts = {shared.vertices_total, shared.cells_total, shared.dropped_vertices, shared.pieces,
+                                      shared.components};
   parallel::broadcast(comm, counts);
   shared.vertices_total = counts[0];
   shared.cells_total = counts[1];

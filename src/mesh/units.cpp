@@ -25,8 +25,8 @@ Units parse_units(std::string_view text) {
   if (second == text.npos)
     throw InputError("option -units " + std::string(text) +
                      " is not of the form length-mass-time; write for instance m-kg-s, mm-t-s or um-kg-s");
-  const Table lengths = {{"m", 1},        {"dm", 0.1},    {"cm", 0.01}, {"mm", 1e-3},  {"um", 1e-6},
-                         {"nm", 1e-9},    {"km", 1e3},    {"in", 0.0254}, {"ft", 0.3048}};
+  const Table lengths = {{"m", 1},     {"dm", 0.1}, {"cm", 0.01},   {"mm", 1e-3},  {"um", 1e-6},
+                         {"nm", 1e-9}, {"km", 1e3}, {"in", 0.0254}, {"ft", 0.3048}};
   const Table masses = {{"kg", 1}, {"t", 1e3}, {"g", 1e-3}, {"mg", 1e-6}, {"ug", 1e-9}, {"pg", 1e-15}};
   const Table times = {{"s", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}};
   return {std::string(text), look_up(lengths, text.substr(0, first), text),

@@ -10,13 +10,9 @@ Eigen::Vector3d offset(const Inertia& inertia) {
 
 }  // namespace
 
-double Inertia::mass() const {
-  return gram(0, 0);
-}
+double Inertia::mass() const { return gram(0, 0); }
 
-Eigen::Vector3d Inertia::centre_of_mass() const {
-  return origin + offset(*this);
-}
+Eigen::Vector3d Inertia::centre_of_mass() const { return origin + offset(*this); }
 
 Eigen::Matrix3d Inertia::tensor() const {
   const Eigen::Vector3d c = offset(*this);
@@ -40,8 +36,6 @@ Eigen::MatrixXd Inertia::rigid_coupling() const {
   return coupling;
 }
 
-Eigen::MatrixXd Inertia::effective_masses() const {
-  return rigid_coupling().leftCols<3>().cwiseAbs2();
-}
+Eigen::MatrixXd Inertia::effective_masses() const { return rigid_coupling().leftCols<3>().cwiseAbs2(); }
 
 }  // namespace ritz::model

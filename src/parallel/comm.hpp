@@ -33,9 +33,18 @@ T reduce(MPI_Comm comm, T value, MPI_Op op) {
   return result;
 }
 
-template <class T> T sum(MPI_Comm comm, T value) { return reduce(comm, value, MPI_SUM); }
-template <class T> T min(MPI_Comm comm, T value) { return reduce(comm, value, MPI_MIN); }
-template <class T> T max(MPI_Comm comm, T value) { return reduce(comm, value, MPI_MAX); }
+template <class T>
+T sum(MPI_Comm comm, T value) {
+  return reduce(comm, value, MPI_SUM);
+}
+template <class T>
+T min(MPI_Comm comm, T value) {
+  return reduce(comm, value, MPI_MIN);
+}
+template <class T>
+T max(MPI_Comm comm, T value) {
+  return reduce(comm, value, MPI_MAX);
+}
 
 /// The sum of `value` over all lower ranks.
 template <class T>

@@ -58,8 +58,7 @@ int slice_owner(int ranks, std::int64_t total, std::int64_t row) {
   return p;
 }
 
-RowMatrix to_slices(MPI_Comm comm, std::span<const std::int64_t> numbers, const RowMatrix& values,
-                    std::int64_t total) {
+RowMatrix to_slices(MPI_Comm comm, std::span<const std::int64_t> numbers, const RowMatrix& values, std::int64_t total) {
   const auto width = static_cast<int>(values.cols());
   const auto rows =
       move_rows<double>(comm, numbers, {values.data(), static_cast<std::size_t>(values.size())}, width, total);

@@ -94,9 +94,8 @@ EigenPairs solved(EPS eps, Mat K, int wanted) {
   }
   std::vector<Eigen::Index> order(values.size());
   std::iota(order.begin(), order.end(), Eigen::Index{0});
-  std::sort(order.begin(), order.end(), [&](auto a, auto b) {
-    return values[static_cast<std::size_t>(a)] < values[static_cast<std::size_t>(b)];
-  });
+  std::sort(order.begin(), order.end(),
+            [&](auto a, auto b) { return values[static_cast<std::size_t>(a)] < values[static_cast<std::size_t>(b)]; });
   pairs.values.resize(count);
   pairs.vectors.resize(rows, count);
   for (int j = 0; j < count; ++j) {

@@ -9,9 +9,9 @@
 namespace ritz::petsc {
 namespace {
 
-constexpr PetscInt workspace_margin = 14;     // MUMPS ICNTL(14), percent
-constexpr PetscInt parallel_root = 13;        // ICNTL(13): a ScaLAPACK root hides its pivots' signs
-constexpr PetscInt columns_at_once = 27;      // ICNTL(27)
+constexpr PetscInt workspace_margin = 14;  // MUMPS ICNTL(14), percent
+constexpr PetscInt parallel_root = 13;     // ICNTL(13): a ScaLAPACK root hides its pivots' signs
+constexpr PetscInt columns_at_once = 27;   // ICNTL(27)
 constexpr int widest_block = 64;
 
 Mat factor_matrix(KSP ksp) {
@@ -91,7 +91,8 @@ void Factorization::factor(Mat K, Mat M, double sigma) {
     PetscInt code = 0;
     if (is_mumps(F)) check(MatMumpsGetInfog(F, 1, &code));
     if (code == -13 || code == -19)
-      throw NumericalError("memory ran out in the factorization of " + what + "; use -solver iterative, or more machines");
+      throw NumericalError("memory ran out in the factorization of " + what +
+                           "; use -solver iterative, or more machines");
     const bool wants_workspace = code == -8 || code == -9 || code == -17 || code == -20;
     if (!wants_workspace || attempt == 4)
       throw NumericalError("the factorization of " + what + " failed (MUMPS error " + std::to_string(code) +

@@ -11,8 +11,8 @@
 namespace ritz::petsc {
 namespace {
 
-constexpr int power_steps = 12;           ///< of the estimate of the largest eigenvalue
-constexpr double upper = 1.1, lower = .1; ///< the smoother's interval, relative to that estimate
+constexpr int power_steps = 12;            ///< of the estimate of the largest eigenvalue
+constexpr double upper = 1.1, lower = .1;  ///< the smoother's interval, relative to that estimate
 
 MPI_Comm comm_of(Mat A) { return PetscObjectComm(reinterpret_cast<PetscObject>(A)); }
 
@@ -50,7 +50,9 @@ Preconditioner hierarchy(Mat A, const std::string& prefix) {
   check(PCSetOperators(pc, A, A));
   check(PCSetFromOptions(pc));
   check(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(pc.get()), PCGAMG, &is_gamg));
-  if (!is_gamg) throw InputError("option -" + prefix + "pc_type: the levels of the multigrid cycle are those of gamg; leave the option out");
+  if (!is_gamg)
+    throw InputError("option -" + prefix +
+                     "pc_type: the levels of the multigrid cycle are those of gamg; leave the option out");
   check(PCSetUp(pc));
   return pc;
 }
@@ -87,7 +89,8 @@ Matrix transposed(Mat P) {
 double largest_eigenvalue(MPI_Comm comm, PanelProduct& A, const Eigen::VectorXd& inverse, PetscInt first_row) {
   Panel x(A.rows(), panel_width), y;
   for (Eigen::Index i = 0; i < x.size(); ++i)
-    x.data()[i] = uniform(static_cast<std::uint64_t>(i % panel_width), static_cast<std::uint64_t>(first_row + i / panel_width));
+    x.data()[i] =
+        uniform(static_cast<std::uint64_t>(i % panel_width), static_cast<std::uint64_t>(first_row + i / panel_width));
   double largest = 0;
   for (int step = 0; step < power_steps; ++step) {
     A.apply(x, y);
@@ -114,7 +117,10 @@ PetscInt first_row(Mat A) {
 class Multigrid::Level {
  public:
   Level(Mat A, Mat P)
-      : restriction_matrix_(transposed(P)), A_(A), interpolation_(P), restriction_(restriction_matrix_),
+      : restriction_matrix_(transposed(P)),
+        A_(A),
+        interpolation_(P),
+        restriction_(restriction_matrix_),
         inverse_(inverse_diagonal(A)) {
     const double largest = largest_eigenvalue(comm_of(A), A_, inverse_, first_row(A));
     centre_ = (upper + lower) / 2 * largest;

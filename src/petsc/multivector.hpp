@@ -28,10 +28,9 @@ Eigen::VectorXd column_norms(MPI_Comm comm, const ConstTallRef& x);
 /// The local rows x (contiguous columns) seen as a dense PETSc matrix; x must outlive it.
 Matrix as_dense(MPI_Comm comm, TallRef x);
 
-/// M-orthonormalises x against the M-orthonormal columns of `against` (may have none) and within itself: twice, and once
-/// more where much was taken away in the second pass.
-/// Directions whose M-norm falls below `drop` times what it was are removed: returns how many columns are left (they
-/// stand first). *Collective*.
+/// M-orthonormalises x against the M-orthonormal columns of `against` (may have none) and within itself: twice, and
+/// once more where much was taken away in the second pass. Directions whose M-norm falls below `drop` times what it was
+/// are removed: returns how many columns are left (they stand first). *Collective*.
 int orthonormalise(Mat M, const ConstTallRef& against, TallRef x, double drop = 1e-10);
 
 }  // namespace ritz::petsc

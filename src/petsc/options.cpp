@@ -25,7 +25,8 @@ void check_line(const std::string& line, const std::string& place) {
   words >> name >> value >> rest;
   if (name.empty() || name[0] == '#') return;
   if (name[0] != '-')
-    throw InputError(place + ": '" + name + "' is no option; each line holds one, such as '-modes 20', or begins with #");
+    throw InputError(place + ": '" + name +
+                     "' is no option; each line holds one, such as '-modes 20', or begins with #");
   if (name == "-options_file")
     throw InputError(place + ": one options file cannot name another; name both on the command line");
   if (value[0] != '#' && !rest.empty() && rest[0] != '#')

@@ -67,7 +67,8 @@ std::vector<std::pair<std::string, std::string>> library_versions() {
   check(SlepcGetVersion(slepc, sizeof slepc));
   MPI_Get_library_version(mpi, &length);
   const auto first_line = [](std::string s) { return s.substr(0, s.find_first_of(",\n")); };
-  return {{"PETSc", first_line(petsc)}, {"SLEPc", first_line(slepc)}, {"MPI", first_line(mpi)}, {"BLAS", loaded_blas()}};
+  return {
+      {"PETSc", first_line(petsc)}, {"SLEPc", first_line(slepc)}, {"MPI", first_line(mpi)}, {"BLAS", loaded_blas()}};
 }
 
 LogStage::LogStage(const std::string& name) {

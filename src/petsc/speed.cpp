@@ -1,7 +1,7 @@
 #include "ritz/petsc/speed.hpp"
 
-#include <petscsys.h>
 #include <petscblaslapack.h>
+#include <petscsys.h>
 
 #include <algorithm>
 #include <chrono>

@@ -16,8 +16,6 @@ ModeStep rule(double stiffness, double damping, double dt) {
 
 }  // namespace
 
-Integrator avf() {
-  return {"avf", History::none, rule, rule};
-}
+Integrator avf() { return {"avf", History::none, rule, rule}; }
 
 }  // namespace ritz::runtime

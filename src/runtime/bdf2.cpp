@@ -28,8 +28,6 @@ ModeStep first(double stiffness, double damping, double dt) {
 
 }  // namespace
 
-Integrator bdf2() {
-  return {"bdf2", History::last_step, rule, first};
-}
+Integrator bdf2() { return {"bdf2", History::last_step, rule, first}; }
 
 }  // namespace ritz::runtime

@@ -20,8 +20,6 @@ ModeStep rule(double stiffness, double damping, double dt) {
 
 }  // namespace
 
-Integrator central_difference() {
-  return {"central-difference", History::acceleration, rule, rule};
-}
+Integrator central_difference() { return {"central-difference", History::acceleration, rule, rule}; }
 
 }  // namespace ritz::runtime

@@ -20,9 +20,7 @@ struct Response {
 };
 
 /// (e^x - 1) / x.
-Real phi1(Real x) {
-  return x == 0 ? 1 : std::expm1(x) / x;
-}
+Real phi1(Real x) { return x == 0 ? 1 : std::expm1(x) / x; }
 
 /// (e^x - 1 - x) / x², x <= 0.
 Real phi2(Real x) {
@@ -100,8 +98,6 @@ ModeStep rule(double stiffness, double damping, double dt) {
 
 }  // namespace
 
-Integrator exact() {
-  return {"exact", History::none, rule, rule};
-}
+Integrator exact() { return {"exact", History::none, rule, rule}; }
 
 }  // namespace ritz::runtime

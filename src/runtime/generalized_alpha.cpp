@@ -17,8 +17,6 @@ ModeStep rule(double stiffness, double damping, double dt) {
 
 }  // namespace
 
-Integrator generalized_alpha() {
-  return {"generalized-alpha", History::acceleration, rule, rule};
-}
+Integrator generalized_alpha() { return {"generalized-alpha", History::acceleration, rule, rule}; }
 
 }  // namespace ritz::runtime

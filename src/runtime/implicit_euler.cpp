@@ -14,8 +14,6 @@ ModeStep rule(double stiffness, double damping, double dt) {
 
 }  // namespace
 
-Integrator implicit_euler() {
-  return {"implicit-euler", History::none, rule, rule};
-}
+Integrator implicit_euler() { return {"implicit-euler", History::none, rule, rule}; }
 
 }  // namespace ritz::runtime

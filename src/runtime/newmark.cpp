@@ -10,8 +10,6 @@ ModeStep rule(double stiffness, double damping, double dt) {
 
 }  // namespace
 
-Integrator newmark() {
-  return {"newmark", History::acceleration, rule, rule};
-}
+Integrator newmark() { return {"newmark", History::acceleration, rule, rule}; }
 
 }  // namespace ritz::runtime

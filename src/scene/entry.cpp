@@ -8,9 +8,7 @@
 namespace ritz::scene {
 namespace {
 
-std::string quote(std::string_view word) {
-  return "'" + std::string(word) + "'";
-}
+std::string quote(std::string_view word) { return "'" + std::string(word) + "'"; }
 
 const toml::array& array(const Entry& entry, const std::string& wanted) {
   if (const auto* array = entry.node.as_array()) return *array;

@@ -52,7 +52,8 @@ void each_free_entry(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Verte
   for (int row = 0; row < mesh.owned; ++row)
     for (int i = 0; i < mesh::components; ++i) {
       if (dofs.fixed(row, i)) continue;
-      for (auto p = graph.starts[static_cast<std::size_t>(row)]; p < graph.starts[static_cast<std::size_t>(row) + 1]; ++p)
+      for (auto p = graph.starts[static_cast<std::size_t>(row)]; p < graph.starts[static_cast<std::size_t>(row) + 1];
+           ++p)
         for (int j = 0; j < mesh::components; ++j)
           if (!dofs.fixed(graph.columns[p], j)) take(p, i, j, dofs.number(graph.columns[p], j));
       end_row();

@@ -29,9 +29,15 @@ class Krylov {
  public:
   Krylov(Mat M, const Operator& op, const petsc::ConstTallRef& locked, const petsc::ConstTallRef& start,
          const LanczosOptions& options)
-      : M_(M), op_(op), start_(start), space_(dimension(M, locked.cols())), locked_(locked.cols()),
-        block_(options.block), capacity_(std::min<Index>(options.columns, space_)),
-        basis_(start.rows(), locked_ + capacity_ + block_), T_(MatrixXd::Zero(capacity_ + block_, capacity_ + block_)) {
+      : M_(M),
+        op_(op),
+        start_(start),
+        space_(dimension(M, locked.cols())),
+        locked_(locked.cols()),
+        block_(options.block),
+        capacity_(std::min<Index>(options.columns, space_)),
+        basis_(start.rows(), locked_ + capacity_ + block_),
+        T_(MatrixXd::Zero(capacity_ + block_, capacity_ + block_)) {
     basis_.leftCols(locked_) = locked;
     append_carefully(next_start(block_), std::min(block_, space_));
   }

@@ -7,18 +7,18 @@
 namespace ritz::stages {
 
 struct LanczosOptions {
-  int wanted = 20;          ///< pairs with the largest θ
-  int block = 4;            ///< right-hand sides a step: at least the multiplicity that exact arithmetic would find
-  int columns = 0;          ///< of the basis before a restart; 0: chosen from `wanted`
-  double tolerance = 1e-10; ///< ‖Op y − θ y‖_M / θ
+  int wanted = 20;           ///< pairs with the largest θ
+  int block = 4;             ///< right-hand sides a step: at least the multiplicity that exact arithmetic would find
+  int columns = 0;           ///< of the basis before a restart; 0: chosen from `wanted`
+  double tolerance = 1e-10;  ///< ‖Op y − θ y‖_M / θ
   int restarts = 100;
 };
 
 struct LanczosResult {
-  Eigen::VectorXd theta;  ///< descending
-  petsc::Tall vectors;    ///< M-orthonormal
-  int iterations = 0;     ///< block steps
-  bool converged = false; ///< all the wanted ones, or the whole space
+  Eigen::VectorXd theta;   ///< descending
+  petsc::Tall vectors;     ///< M-orthonormal
+  int iterations = 0;      ///< block steps
+  bool converged = false;  ///< all the wanted ones, or the whole space
 };
 
 /// y = Op x for a block of columns; `mx` is M x.
@@ -32,7 +32,6 @@ using Progress = std::function<void(int converged, int wanted)>;
 /// `start`: the first block's columns (any number of extra ones are used in turn). Full two-pass orthogonalisation, so
 /// no ghosts; a block that lost rank is refilled. [Grimes, Lewis, Simon 1994; Wu, Simon 2000]. *Collective*.
 LanczosResult block_lanczos(Mat M, const Operator& op, const petsc::ConstTallRef& locked,
-                            const petsc::ConstTallRef& start, const LanczosOptions& options,
-                            const Progress& progress);
+                            const petsc::ConstTallRef& start, const LanczosOptions& options, const Progress& progress);
 
 }  // namespace ritz::stages

@@ -55,7 +55,8 @@ Found find_direct(const EigenProblem& problem, int wanted, const petsc::Tall& kn
                                    [&](int done, int all) { progress("modes", double(done) / all); });
   if (!found.converged)
     throw NumericalError("the eigensolver (block Lanczos, tolerance " + std::to_string(options.tolerance) +
-                         ") did not find all " + std::to_string(wanted) + " modes; raise -modes_max_restarts or lower -modes");
+                         ") did not find all " + std::to_string(wanted) +
+                         " modes; raise -modes_max_restarts or lower -modes");
   progress("polishing", 0);
   return {polish(problem, joined(known, found.vectors), solver), found.iterations};
 }

@@ -27,6 +27,9 @@ Found find_by_krylov_schur(const EigenProblem& problem, int wanted);
 Found find_iteratively(const EigenProblem& problem, int wanted, const petsc::Tall& known,
                        const ModesProgress& progress);
 
+/// How many columns the iterative strategy works on for so many pairs.
+int iterative_block(int wanted);
+
 /// The shift of the spectral transformation: 0 where the supports hold the body; a tenth of the first elastic
 /// eigenvalue's scale below 0 where it can move rigidly. *Collective*.
 double safe_shift(const EigenProblem& problem);

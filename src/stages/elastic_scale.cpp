@@ -32,7 +32,8 @@ petsc::Tall cubic_fields(const mesh::Mesh& mesh) {
   petsc::Tall u = petsc::Tall::Zero(mesh::components * mesh.owned, mesh::components * count);
   for (Eigen::Index m = 0; m < count; ++m)
     for (int c = 0; c < mesh::components; ++c)
-      u.col(mesh::components * m + c)(Eigen::seqN(c, mesh.owned, mesh::components)) = monomials[static_cast<std::size_t>(m)];
+      u.col(mesh::components * m + c)(Eigen::seqN(c, mesh.owned, mesh::components)) =
+          monomials[static_cast<std::size_t>(m)];
   return u;
 }
 

@@ -9,7 +9,8 @@ petsc::Tall fixed_vectors(const mesh::Mesh& mesh, const mesh::Dofs& dofs, int co
   for (int v = 0; v < mesh.owned; ++v)
     for (int c = 0; c < mesh::components; ++c) {
       if (dofs.fixed(v, c)) continue;
-      const auto index = static_cast<std::uint64_t>(mesh::components * mesh.file_positions[static_cast<std::size_t>(v)] + c);
+      const auto index =
+          static_cast<std::uint64_t>(mesh::components * mesh.file_positions[static_cast<std::size_t>(v)] + c);
       for (int j = 0; j < columns; ++j)
         x(dofs.number(v, c) - dofs.first, j) = uniform(stream + static_cast<std::uint64_t>(j), index);
     }

@@ -3,6 +3,7 @@
 #include "ritz/base/error.hpp"
 #include "ritz/petsc/check.hpp"
 #include "ritz/petsc/multigrid.hpp"
+#include "ritz/petsc/panel.hpp"
 #include "ritz/stages/eigen_strategy.hpp"
 #include "ritz/stages/fixed_vectors.hpp"
 #include "ritz/stages/lobpcg.hpp"
@@ -12,12 +13,7 @@ namespace ritz::stages {
 namespace {
 
 constexpr std::uint64_t start_stream = 2000;
-
-/// Columns of the block: the wanted ones and guards, a multiple of 4.
-int block_width(int wanted) {
-  const int guarded = std::max(wanted + 6, wanted + (wanted + 4) / 5);
-  return (guarded + 3) / 4 * 4;
-}
+constexpr int panel = petsc::panel_width;
 
 /// K − σM, positive definite.
 petsc::Matrix shifted(const Full& full, double sigma) {
@@ -28,7 +24,8 @@ petsc::Matrix shifted(const Full& full, double sigma) {
 }
 
 /// What is known already, and smooth columns beside it: one cycle takes the worst off fixed random loads.
-petsc::Tall start_block(const EigenProblem& problem, const petsc::Multigrid& cycle, const petsc::Tall& known, int width) {
+petsc::Tall start_block(const EigenProblem& problem, const petsc::Multigrid& cycle, const petsc::Tall& known,
+                        int width) {
   const auto fresh = std::max<int>(width - static_cast<int>(known.cols()), 4);
   petsc::Tall start(problem.rigid.rows(), known.cols() + fresh);
   start.leftCols(known.cols()) = known;
@@ -38,6 +35,11 @@ petsc::Tall start_block(const EigenProblem& problem, const petsc::Multigrid& cyc
 }
 
 }  // namespace
+
+int iterative_block(int wanted) {
+  const int guarded = std::max(wanted + 6, wanted + (wanted + 4) / 5);
+  return (guarded + panel - 1) / panel * panel;
+}
 
 Found find_iteratively(const EigenProblem& problem, int wanted, const petsc::Tall& known,
                        const ModesProgress& progress) {
@@ -49,7 +51,7 @@ Found find_iteratively(const EigenProblem& problem, int wanted, const petsc::Tal
   auto found = lobpcg(
       problem.full.stiffness, problem.full.mass, problem.norm_K,
       [&](const petsc::ConstTallRef& r, petsc::TallRef z) { cycle.apply(r, z); }, problem.rigid,
-      start_block(problem, cycle, known, block_width(wanted)), options,
+      start_block(problem, cycle, known, iterative_block(wanted)), options,
       [&](int done, int all) { progress("modes", double(done) / all); });
   if (found.converged < wanted)
     throw NumericalError("the eigensolver (LOBPCG with multigrid) converged to " + std::to_string(found.converged) +

@@ -75,7 +75,10 @@ Index flexible_modes(const mesh::Dofs& dofs, const petsc::Tall& rigid) { return 
 class Search {
  public:
   Search(const EigenProblem& problem, const ModesOptions& options, const ModesProgress& progress)
-      : problem_(problem), options_(options), progress_(progress), solver_(problem.mesh.comm, "solve_"),
+      : problem_(problem),
+        options_(options),
+        progress_(progress),
+        solver_(problem.mesh.comm, "solve_"),
         most_(flexible_modes(problem.dofs, problem.rigid)) {}
 
   /// Pairs found so far, and how many of them to keep.
@@ -131,8 +134,8 @@ class Search {
 
 /// Puts M-normalised vectors in the order of their Rayleigh quotients, taken from the strains, and returns these.
 Eigen::VectorXd sort_by_energy(const EigenProblem& problem, petsc::TallRef vectors) {
-  const Eigen::VectorXd energies = strain_energies(problem.mesh, problem.full.materials,
-                                                   mesh::to_vertices(problem.mesh, problem.dofs, vectors));
+  const Eigen::VectorXd energies =
+      strain_energies(problem.mesh, problem.full.materials, mesh::to_vertices(problem.mesh, problem.dofs, vectors));
   std::vector<Index> order(static_cast<std::size_t>(energies.size()));
   std::iota(order.begin(), order.end(), Index{0});
   std::sort(order.begin(), order.end(), [&](Index a, Index b) { return energies[a] < energies[b]; });
@@ -160,8 +163,8 @@ ModesResult summarise(const EigenProblem& problem, const Search& search) {
   const Eigen::MatrixXd gram = petsc::inner(comm, result.vectors, petsc::multiply(full.mass, result.vectors));
   modes.energies = petsc::inner(comm, result.vectors, kpsi).diagonal();
   modes.orthonormality = all > 0 ? (gram - Eigen::MatrixXd::Identity(all, all)).cwiseAbs().maxCoeff() : 0;
-  modes.residuals = petsc::column_norms(comm, kpsi).cwiseQuotient(
-      (problem.norm_K * petsc::column_norms(comm, result.vectors)).cwiseMax(1e-300));
+  modes.residuals = petsc::column_norms(comm, kpsi)
+                        .cwiseQuotient((problem.norm_K * petsc::column_norms(comm, result.vectors)).cwiseMax(1e-300));
   const Residuals r = residuals(full.stiffness, full.mass, problem.norm_K, {values, vectors});
   modes.residuals.tail(flexible) = r.relative;
   modes.floor_applies.assign(static_cast<std::size_t>(all), 0);

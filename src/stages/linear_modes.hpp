@@ -14,18 +14,18 @@ namespace ritz::stages {
 enum class Strategy { direct, iterative };
 
 struct ModesOptions {
-  int count = 20;                    ///< flexible modes wanted
+  int count = 20;  ///< flexible modes wanted
   Strategy strategy = Strategy::direct;
-  bool slepc = false;                ///< the direct strategy by SLEPc's Krylov-Schur in place of block Lanczos
+  bool slepc = false;  ///< the direct strategy by SLEPc's Krylov-Schur in place of block Lanczos
   int block = 4;
   double tolerance = 1e-10;
 };
 
 struct ModesResult {
   model::Modes modes;
-  petsc::Tall vectors;               ///< rows of free degrees of freedom, a column each mode
+  petsc::Tall vectors;  ///< rows of free degrees of freedom, a column each mode
   int iterations = 0;
-  std::vector<std::string> notes;    ///< what a careful user should know
+  std::vector<std::string> notes;  ///< what a careful user should know
 };
 
 using ModesProgress = std::function<void(const std::string& what, double fraction)>;
@@ -34,10 +34,10 @@ using ModesProgress = std::function<void(const std::string& what, double fractio
 /// all rigid ones, M-orthonormal, with signs and bases of clusters fixed by the vertices' file numbers.
 ///
 /// direct: shift-invert with MUMPS and block Lanczos; then the inertia of K − σM counts the eigenvalues below a shift
-/// past the last mode; a count that disagrees is searched for and, if it stays, a NumericalError. iterative: LOBPCG with
-/// GAMG, the rigid motions its near-null space; not certified.
-/// `earlier`: modes of an earlier run of the same problem, or no columns. Throws NumericalError when fewer modes
-/// converge than were asked for or a residual is above its gate. *Collective*.
+/// past the last mode; a count that disagrees is searched for and, if it stays, a NumericalError. iterative: LOBPCG
+/// with GAMG, the rigid motions its near-null space; not certified. `earlier`: modes of an earlier run of the same
+/// problem, or no columns. Throws NumericalError when fewer modes converge than were asked for or a residual is above
+/// its gate. *Collective*.
 ModesResult linear_modes(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full& full, const ModesOptions& options,
                          const petsc::ConstTallRef& earlier, const ModesProgress& progress);
 

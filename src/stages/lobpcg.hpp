@@ -8,15 +8,15 @@ namespace ritz::stages {
 
 struct LobpcgOptions {
   int wanted = 20;
-  double fraction = 0.3;   ///< of its gate that each residual has to reach
+  double fraction = 0.3;  ///< of its gate that each residual has to reach
   int iterations = 500;
-  int patience = 40;       ///< iterations without progress after which the search gives up
+  int patience = 40;  ///< iterations without progress after which the search gives up
 };
 
 struct LobpcgResult {
-  RitzPairs pairs;         ///< the wanted ones, or all that the space holds
+  RitzPairs pairs;  ///< the wanted ones, or all that the space holds
   int iterations = 0;
-  int converged = 0;       ///< how many of the wanted pairs meet their gates, counted from the lowest
+  int converged = 0;  ///< how many of the wanted pairs meet their gates, counted from the lowest
 };
 
 /// z ≈ K⁻¹ r for a block of columns, symmetric and positive definite.

@@ -32,8 +32,8 @@ Residuals residuals(Mat K, Mat M, double norm_K, const RitzPairs& pairs) {
   petsc::Tall r = petsc::multiply(K, pairs.vectors);
   r -= mx * pairs.values.asDiagonal();
   const Eigen::ArrayXd scale = pairs.values.array().abs() * petsc::column_norms(comm, mx).array();
-  const Eigen::ArrayXd floor = 10 * std::numeric_limits<double>::epsilon() * norm_K *
-                               petsc::column_norms(comm, pairs.vectors).array() / scale;
+  const Eigen::ArrayXd floor =
+      10 * std::numeric_limits<double>::epsilon() * norm_K * petsc::column_norms(comm, pairs.vectors).array() / scale;
   return {petsc::column_norms(comm, r).array() / scale, floor.max(residual_gate), std::move(r)};
 }
 

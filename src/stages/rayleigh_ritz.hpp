@@ -5,8 +5,8 @@
 namespace ritz::stages {
 
 struct RitzPairs {
-  Eigen::VectorXd values;   ///< λ ascending
-  petsc::Tall vectors;      ///< M-orthonormal
+  Eigen::VectorXd values;  ///< λ ascending
+  petsc::Tall vectors;     ///< M-orthonormal
 };
 
 /// Diagonalises K over span(x), first M-orthonormalising x against the M-orthonormal `against`; columns that depend on

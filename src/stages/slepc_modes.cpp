@@ -5,8 +5,8 @@
 namespace ritz::stages {
 
 Found find_by_krylov_schur(const EigenProblem& problem, int wanted) {
-  auto pairs = petsc::krylov_schur(problem.full.stiffness, problem.full.mass, safe_shift(problem), problem.rigid,
-                                   wanted, 1e-12);
+  auto pairs =
+      petsc::krylov_schur(problem.full.stiffness, problem.full.mass, safe_shift(problem), problem.rigid, wanted, 1e-12);
   if (pairs.values.size() < wanted)
     throw NumericalError("SLEPc's eigensolver converged to " + std::to_string(pairs.values.size()) + " of " +
                          std::to_string(wanted) + " modes in " + std::to_string(pairs.iterations) +

@@ -11,9 +11,8 @@ std::size_t VertexGraph::place(const std::vector<mesh::Index>& global, int row, 
   const auto begin = columns.begin() + static_cast<std::ptrdiff_t>(starts[r]);
   const auto end = columns.begin() + static_cast<std::ptrdiff_t>(starts[r + 1]);
   const auto wanted = global[static_cast<std::size_t>(column)];
-  const auto found = std::lower_bound(begin, end, wanted, [&](int v, mesh::Index number) {
-    return global[static_cast<std::size_t>(v)] < number;
-  });
+  const auto found = std::lower_bound(
+      begin, end, wanted, [&](int v, mesh::Index number) { return global[static_cast<std::size_t>(v)] < number; });
   return static_cast<std::size_t>(found - columns.begin());
 }
 
@@ -44,7 +43,8 @@ VertexGraph vertex_graph(const mesh::Mesh& mesh) {
   std::vector<int> seen_by(static_cast<std::size_t>(mesh.local_vertices()), -1);
   for (int row = 0; row < mesh.owned; ++row) {
     const auto begin = static_cast<std::ptrdiff_t>(graph.columns.size());
-    for (auto i = around.starts[static_cast<std::size_t>(row)]; i < around.starts[static_cast<std::size_t>(row) + 1]; ++i)
+    for (auto i = around.starts[static_cast<std::size_t>(row)]; i < around.starts[static_cast<std::size_t>(row) + 1];
+         ++i)
       for (const int v : mesh.cells.of(around.cells[i]))
         if (std::exchange(seen_by[static_cast<std::size_t>(v)], row) != row) graph.columns.push_back(v);
     std::sort(graph.columns.begin() + begin, graph.columns.end(), [&](int a, int b) {

@@ -13,35 +13,22 @@ namespace ritz::tools {
 
 namespace {
 
-std::string heading(const char* part) {
-  return "\n  " + padded(part, 10);
-}
-std::ostream& item(std::ostream& out) {
-  return out << "            ";
-}
+std::string heading(const char* part) { return "\n  " + padded(part, 10); }
+std::ostream& item(std::ostream& out) { return out << "            "; }
 
 std::string cell_name(std::uint8_t vtk) {
   switch (vtk) {
-    case 5:
-      return "tri3";
-    case 9:
-      return "quad4";
-    case 10:
-      return "tet4";
-    case 12:
-      return "hex8";
-    case 22:
-      return "tri6";
-    case 24:
-      return "tet10";
-    default:
-      return "VTK type " + std::to_string(vtk);
+    case 5: return "tri3";
+    case 9: return "quad4";
+    case 10: return "tet4";
+    case 12: return "hex8";
+    case 22: return "tri6";
+    case 24: return "tet10";
+    default: return "VTK type " + std::to_string(vtk);
   }
 }
 
-double hertz(double eigenvalue) {
-  return std::sqrt(std::max(0.0, eigenvalue)) / (2 * std::numbers::pi);
-}
+double hertz(double eigenvalue) { return std::sqrt(std::max(0.0, eigenvalue)) / (2 * std::numbers::pi); }
 
 std::string certificate_text(const model::Certificate& c) {
   if (c.kind == model::Certified::no) return "not certified: modes may be missing";

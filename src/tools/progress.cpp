@@ -25,8 +25,6 @@ void Progress::at(std::int64_t step) {
   std::fflush(stdout);
 }
 
-Visible on_terminal() {
-  return isatty(STDOUT_FILENO) != 0 ? Visible::yes : Visible::no;
-}
+Visible on_terminal() { return isatty(STDOUT_FILENO) != 0 ? Visible::yes : Visible::no; }
 
 }  // namespace ritz::tools

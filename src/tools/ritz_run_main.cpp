@@ -22,10 +22,8 @@ int main(int argc, char** argv) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // one sentence of ours instead of HDF5's stack
   try {
     const auto parsed = tools::parse_run_options(argc, argv);
-    if (const auto* help = std::get_if<tools::Help>(&parsed))
-      std::cout << help->text;
-    else
-      tools::run(std::get<tools::RunOptions>(parsed), std::cout);
+    if (const auto* help = std::get_if<tools::Help>(&parsed)) std::cout << help->text;
+    else tools::run(std::get<tools::RunOptions>(parsed), std::cout);
     return exit_done;
   } catch (const InputError& error) {
     return fail(exit_input, error.what());

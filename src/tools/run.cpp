@@ -92,10 +92,8 @@ void animate(const RunOptions& options, const format::ModelReader& in, std::ostr
 void run(const RunOptions& options, std::ostream& out) {
   const format::ModelReader in(options.model);
   protect_inputs(options);
-  if (options.animate_mode)
-    animate(options, in, out);
-  else
-    run_scene(options, in, out);
+  if (options.animate_mode) animate(options, in, out);
+  else run_scene(options, in, out);
 }
 
 }  // namespace ritz::tools

@@ -15,9 +15,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double seconds_since(Clock::time_point begin) {
-  return std::chrono::duration<double>(Clock::now() - begin).count();
-}
+double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
 runtime::Oscillators oscillators(const scene::Scene& scene, const model::Body& body) {
   const auto& damping = scene.damping;
@@ -26,20 +24,13 @@ runtime::Oscillators oscillators(const scene::Scene& scene, const model::Body& b
 
 runtime::Integrator integrator(const scene::Time& time) {
   switch (time.integrator.value_or(scene::Integrator::exact)) {
-    case scene::Integrator::exact:
-      return runtime::exact();
-    case scene::Integrator::implicit_euler:
-      return runtime::implicit_euler();
-    case scene::Integrator::newmark:
-      return runtime::newmark();
-    case scene::Integrator::generalized_alpha:
-      return runtime::generalized_alpha();
-    case scene::Integrator::bdf2:
-      return runtime::bdf2();
-    case scene::Integrator::central_difference:
-      return runtime::central_difference();
-    case scene::Integrator::avf:
-      return runtime::avf();
+    case scene::Integrator::exact: return runtime::exact();
+    case scene::Integrator::implicit_euler: return runtime::implicit_euler();
+    case scene::Integrator::newmark: return runtime::newmark();
+    case scene::Integrator::generalized_alpha: return runtime::generalized_alpha();
+    case scene::Integrator::bdf2: return runtime::bdf2();
+    case scene::Integrator::central_difference: return runtime::central_difference();
+    case scene::Integrator::avf: return runtime::avf();
   }
   throw std::logic_error("an integrator without a name");
 }

@@ -9,9 +9,7 @@
 namespace ritz::tools {
 namespace {
 
-Eigen::Vector3d vector(const scene::Vector3& v) {
-  return {v[0], v[1], v[2]};
-}
+Eigen::Vector3d vector(const scene::Vector3& v) { return {v[0], v[1], v[2]}; }
 
 const model::SetLoad& find_set(const model::Body& body, const std::string& name) {
   std::vector<std::string> known;

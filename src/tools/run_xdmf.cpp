@@ -10,20 +10,13 @@ namespace {
 
 std::int64_t xdmf_type(std::uint8_t vtk) {
   switch (vtk) {
-    case 5:
-      return 4;  // triangle
-    case 9:
-      return 5;  // quadrilateral
-    case 10:
-      return 6;  // tetrahedron
-    case 12:
-      return 9;  // hexahedron
-    case 22:
-      return 0x24;  // quadratic triangle
-    case 24:
-      return 0x26;  // quadratic tetrahedron
-    default:
-      throw InputError("the model has cells of VTK type " + std::to_string(vtk) + ", which cannot be drawn");
+    case 5: return 4;      // triangle
+    case 9: return 5;      // quadrilateral
+    case 10: return 6;     // tetrahedron
+    case 12: return 9;     // hexahedron
+    case 22: return 0x24;  // quadratic triangle
+    case 24: return 0x26;  // quadratic tetrahedron
+    default: throw InputError("the model has cells of VTK type " + std::to_string(vtk) + ", which cannot be drawn");
   }
 }
 
@@ -31,17 +24,10 @@ std::string escaped(const std::string& text) {
   std::string result;
   for (const char c : text) {
     switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      default:
-        result += c;
+      case '&': result += "&amp;"; break;
+      case '<': result += "&lt;"; break;
+      case '>': result += "&gt;"; break;
+      default: result += c;
     }
   }
   return result;
@@ -60,9 +46,7 @@ std::vector<std::int64_t> mixed_topology(const model::DrawnCells& cells) {
   return topology;
 }
 
-std::string frame_name(std::size_t frame) {
-  return "/frames/" + std::to_string(frame);
-}
+std::string frame_name(std::size_t frame) { return "/frames/" + std::to_string(frame); }
 
 std::string xdmf_text(const std::string& file, const XdmfSize& size, std::span<const double> times) {
   const std::string source = escaped(file) + ":/";

@@ -23,8 +23,6 @@ TEST(Nearest, PicksTheClosestAndTheFirstOfEquals) {
   EXPECT_EQ(nearest("b", std::vector<std::string>{"a", "c"}), "a");
 }
 
-TEST(Nearest, OfNothingIsEmpty) {
-  EXPECT_EQ(nearest("x", std::vector<std::string>{}), "");
-}
+TEST(Nearest, OfNothingIsEmpty) { EXPECT_EQ(nearest("x", std::vector<std::string>{}), ""); }
 
 }  // namespace ritz

@@ -105,6 +105,8 @@ TEST(Config, ReadsFilesOfWindows) {
 TEST(Config, HandsTheModesToSlepcWhenItsOptionsAreNamed) {
   EXPECT_TRUE(with_box({"-modes_eps_type", "lapack"}).modes.slepc);
   EXPECT_TRUE(with_box({"-modes_st_type", "sinvert"}).modes.slepc);
+  EXPECT_EQ(with_box({"-modes_st_type", "sinvert"}).solver, Solver::direct);
+  refuses({"-modes_st_type", "sinvert", "-solver", "iterative"}, "-solver iterative", "-modes_st_");
   EXPECT_FALSE(with_box({"-modes_tolerance", "1e-9"}).modes.slepc);
 }
 
@@ -154,7 +156,8 @@ TEST(Config, RefusesOptionsThatNobodyReads) {
 TEST(Config, AcceptsOptionsThatAreReadLater) {
   EXPECT_NO_THROW(with_box({"-scene", "scene.toml", "-modes_eps_view", "-solve_ksp_view", "-modes_eps_converged_reason",
                             "-modes_st_mat_mumps_icntl_14", "30", "-solve_mat_mumps_icntl_7", "2", "-malloc_view",
-                            "-modes_st_mg_levels_ksp_type", "chebyshev", "-modes_eps_monitor"}));
+                            "-modes_st_mg_levels_ksp_type", "chebyshev", "-modes_eps_monitor",
+                            "-multigrid_pc_gamg_threshold", ".02"}));
 }
 
 TEST(Config, RefusesWhatSolversRefuse) {

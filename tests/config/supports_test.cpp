@@ -19,12 +19,8 @@ using Mask = std::array<bool, 3>;
 constexpr Mask whole = {true, true, true};
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-std::string name(const mesh::Fixed& fixed) {
-  return std::get<std::string>(fixed.where);
-}
-mesh::Region3 box(const mesh::Fixed& fixed) {
-  return std::get<mesh::Region3>(fixed.where);
-}
+std::string name(const mesh::Fixed& fixed) { return std::get<std::string>(fixed.where); }
+mesh::Region3 box(const mesh::Fixed& fixed) { return std::get<mesh::Region3>(fixed.where); }
 
 TEST(Fix, NamesSets) {
   const auto fixed = parse_supports("foot,left side", {}).fixed;

@@ -44,9 +44,7 @@ TEST(NoMalloc, ElementsDoNotAllocate) {
   EXPECT_TRUE(std::isfinite(smallest_dihedral<Tet4>(curved_cell<Tet4>(1))));
 }
 
-TEST(NoMalloc, FacesDoNotAllocate) {
-  EXPECT_TRUE(std::isfinite(loads<Tri3>() + loads<Tri6>() + loads<Quad4>()));
-}
+TEST(NoMalloc, FacesDoNotAllocate) { EXPECT_TRUE(std::isfinite(loads<Tri3>() + loads<Tri6>() + loads<Quad4>())); }
 
 }  // namespace
 }  // namespace ritz::fem::testing

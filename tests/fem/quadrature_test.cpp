@@ -10,9 +10,7 @@
 namespace ritz::fem {
 namespace {
 
-double factorial(int k) {
-  return std::tgamma(k + 1);
-}
+double factorial(int k) { return std::tgamma(k + 1); }
 
 /// ∫ Π x_i^p_i over the unit simplex of dimension d.
 template <int d>

@@ -45,9 +45,7 @@ Coordinates<E> straight_cell(std::uint64_t seed) {
   return curved_cell<E>(seed);
 }
 
-inline Matrix<3, 3> rotation() {
-  return Eigen::AngleAxisd(1.1, Vector<3>(1, -2, .7).normalized()).toRotationMatrix();
-}
+inline Matrix<3, 3> rotation() { return Eigen::AngleAxisd(1.1, Vector<3>(1, -2, .7).normalized()).toRotationMatrix(); }
 
 /// Coordinates that stay exact when 2^20 is added.
 template <class E>
@@ -81,10 +79,8 @@ auto integrate_finely(const F& f) {
     for (const auto& [b, wb] : line)
       for (const auto& [a, wa] : line) {
         const double w = wa * wb * wc, s = 1 - c[0], t = s * (1 - b[0]);
-        if constexpr (E::type == CellType::hex8)
-          sum += 8 * w * f({2 * a[0] - 1, 2 * b[0] - 1, 2 * c[0] - 1});
-        else
-          sum += w * s * t * f({a[0] * t, b[0] * s, c[0]});
+        if constexpr (E::type == CellType::hex8) sum += 8 * w * f({2 * a[0] - 1, 2 * b[0] - 1, 2 * c[0] - 1});
+        else sum += w * s * t * f({a[0] * t, b[0] * s, c[0]});
       }
   return sum;
 }

@@ -22,9 +22,7 @@ TEST(Checksum, OfRowsIsTheSumOfItsParts) {
   }
 }
 
-TEST(Checksum, OfNothingIsZero) {
-  EXPECT_EQ(checksum({}, row), 0u);
-}
+TEST(Checksum, OfNothingIsZero) { EXPECT_EQ(checksum({}, row), 0u); }
 
 TEST(Checksum, SeesEverySingleBit) {
   std::vector<std::byte> damaged(bytes.begin(), bytes.end());

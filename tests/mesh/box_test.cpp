@@ -40,9 +40,7 @@ INSTANTIATE_TEST_SUITE_P(, BoxOf,
                          ::testing::Values(Kind{"tet4", 1, 6, 2}, Kind{"tet10", 2, 6, 2}, Kind{"hex8", 1, 1, 1}),
                          [](const auto& info) { return info.param.name; });
 
-TEST_P(BoxOf, IsDistributedSoundly) {
-  expect_sound(mesh);
-}
+TEST_P(BoxOf, IsDistributedSoundly) { expect_sound(mesh); }
 
 TEST_P(BoxOf, HasTheCountsOfItsGrid) {
   EXPECT_EQ(mesh.vertices_total, points(0) * points(1) * points(2));

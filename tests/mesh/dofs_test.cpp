@@ -22,13 +22,9 @@ constexpr const char* text = "box:3,2,1/3,2,1/hex8";  // 4 x 3 x 2 vertices
 constexpr Index all = 3 * 24;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-Fixed set(const std::string& name, std::array<bool, 3> which = {true, true, true}) {
-  return {name, which, name};
-}
+Fixed set(const std::string& name, std::array<bool, 3> which = {true, true, true}) { return {name, which, name}; }
 
-Dofs number(const Mesh& mesh, const std::vector<Fixed>& supports) {
-  return number(mesh, supports, FileSupports::used);
-}
+Dofs number(const Mesh& mesh, const std::vector<Fixed>& supports) { return number(mesh, supports, FileSupports::used); }
 
 /// Free numbers are contiguous by rank and vertex, ghosts have their owners', fixed ones are -1.
 void expect_sound(const Mesh& mesh, const Dofs& dofs) {

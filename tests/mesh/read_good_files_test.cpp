@@ -178,9 +178,7 @@ TEST(ReadInp, ReadsMaterialsSetsAndSupports) {
   EXPECT_EQ(mesh.supports[1].components, (std::array{false, false, true}));
 }
 
-std::string inp_with(const std::string& more) {
-  return with(inp_text(), "*STEP\n", more + "*STEP\n");
-}
+std::string inp_with(const std::string& more) { return with(inp_text(), "*STEP\n", more + "*STEP\n"); }
 
 TEST(ReadInp, UnitesSetsOfOneName) {
   const auto mesh =

@@ -11,9 +11,7 @@ namespace {
 
 using Point = std::array<double, 3>;
 
-Point middle(const Point& a, const Point& b) {
-  return {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
-}
+Point middle(const Point& a, const Point& b) { return {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2}; }
 
 double determinant(const Point& o, const Point& a, const Point& b, const Point& c) {
   const auto d = [&](const Point& p, int i) { return p[static_cast<std::size_t>(i)] - o[static_cast<std::size_t>(i)]; };

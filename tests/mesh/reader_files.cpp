@@ -26,10 +26,8 @@ std::string base64(const std::string& bytes) {
 std::string header(const std::vector<std::uint64_t>& numbers, int size) {
   Bytes bytes;
   for (const auto number : numbers) {
-    if (size == 8)
-      bytes.add(number);
-    else
-      bytes.add(static_cast<std::uint32_t>(number));
+    if (size == 8) bytes.add(number);
+    else bytes.add(static_cast<std::uint32_t>(number));
   }
   return bytes.str();
 }

@@ -26,9 +26,7 @@ class Eigensolver : public testing::Test {
   }
 };
 
-TEST_F(Eigensolver, KrylovSchurFindsTheSmallest) {
-  check_pairs(krylov_schur(K, M, 0, none, wanted, 1e-12), 1, 1e-10);
-}
+TEST_F(Eigensolver, KrylovSchurFindsTheSmallest) { check_pairs(krylov_schur(K, M, 0, none, wanted, 1e-12), 1, 1e-10); }
 
 TEST_F(Eigensolver, KrylovSchurKeepsOutWhatIsDeflated) {
   const auto first = krylov_schur(K, M, 0, none, wanted, 1e-12);

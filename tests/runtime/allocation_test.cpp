@@ -12,17 +12,14 @@ namespace {
 std::atomic<long> news = 0;
 }
 
-void* operator new(std::size_t bytes) {
+// Not inlined: the compiler would see malloc's partner in one place and operator new's in another.
+[[gnu::noinline]] void* operator new(std::size_t bytes) {
   ++news;
   if (void* p = std::malloc(bytes)) return p;
   throw std::bad_alloc();
 }
-void operator delete(void* p) noexcept {
-  std::free(p);
-}
-void operator delete(void* p, std::size_t) noexcept {
-  std::free(p);
-}
+[[gnu::noinline]] void operator delete(void* p) noexcept { std::free(p); }
+[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 
 namespace ritz::runtime {
 namespace {

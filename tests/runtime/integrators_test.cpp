@@ -16,9 +16,7 @@ Oscillators oscillator(double lambda, double d) {
   return {.stiffness = Eigen::ArrayXd::Constant(1, lambda), .damping = Eigen::ArrayXd::Constant(1, d)};
 }
 
-Eigen::VectorXd number(double x) {
-  return Eigen::VectorXd::Constant(1, x);
-}
+Eigen::VectorXd number(double x) { return Eigen::VectorXd::Constant(1, x); }
 
 /// z(1) and z'(1) from z = 1, z' = -2 under f = sin 5t.
 Eigen::Vector2d at_one_second(const Integrator& integrator, const Oscillators& model, int steps) {
@@ -89,9 +87,7 @@ TEST(Integrators, NewmarkAndAvfKeepEnergy) {
     }
 }
 
-double spectral_radius(const ModeStep& step) {
-  return step.A.eigenvalues().cwiseAbs().maxCoeff();
-}
+double spectral_radius(const ModeStep& step) { return step.A.eigenvalues().cwiseAbs().maxCoeff(); }
 
 TEST(Integrators, NoModeGrows) {
   for (double theta = 1e-3; theta < 1e5; theta *= 1.7)

@@ -11,9 +11,7 @@ namespace {
 
 const char* const square_beam = "box:1,.1,.1/10,2,2/hex8";
 
-Problem clamped() {
-  return problem(box(square_beam), {fixed("xmin")});
-}
+Problem clamped() { return problem(box(square_beam), {fixed("xmin")}); }
 
 TEST(Clusters, AreNotCutAtK) {
   const Problem p = clamped();

@@ -101,12 +101,8 @@ class Tet4Cantilever : public testing::TestWithParam<const char*> {
   }
 };
 
-TEST_P(Tet4Cantilever, Clamped) {
-  expect_frequencies("clamped", {fixed("clamp")});
-}
-TEST_P(Tet4Cantilever, Free) {
-  expect_frequencies("free", {});
-}
+TEST_P(Tet4Cantilever, Clamped) { expect_frequencies("clamped", {fixed("clamp")}); }
+TEST_P(Tet4Cantilever, Free) { expect_frequencies("free", {}); }
 
 INSTANTIATE_TEST_SUITE_P(, Tet4Cantilever,
                          testing::Values("cantilever.inp", "cantilever.v22.msh", "cantilever.v41.msh"),

@@ -12,9 +12,7 @@
 namespace ritz::test {
 namespace {
 
-mesh::FileMesh beam() {
-  return lattice_mesh(grid(10, 2, 1), fem::CellType::tet4, stretched({10, 2, 1}, {1, .2, .1}));
-}
+mesh::FileMesh beam() { return lattice_mesh(grid(10, 2, 1), fem::CellType::tet4, stretched({10, 2, 1}, {1, .2, .1})); }
 
 /// Cell `cell` cut into four by a vertex so near to the middle of its first face that the tetrahedron between them has
 /// a smallest dihedral angle of `degrees`.
@@ -38,8 +36,7 @@ mesh::FileMesh with_sliver(double degrees) {
   for (std::size_t i = 0; i < 4; ++i) {
     auto part = v;
     part[i] = added;
-    if (i == 3)
-      std::copy(part.begin(), part.end(), mesh.cell_vertices.begin() + static_cast<std::ptrdiff_t>(4 * cell));
+    if (i == 3) std::copy(part.begin(), part.end(), mesh.cell_vertices.begin() + static_cast<std::ptrdiff_t>(4 * cell));
     else {
       mesh.cell_vertices.insert(mesh.cell_vertices.end(), part.begin(), part.end());
       mesh.cell_offsets.push_back(static_cast<mesh::Index>(mesh.cell_vertices.size()));

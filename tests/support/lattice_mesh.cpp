@@ -8,15 +8,9 @@ namespace {
 constexpr int steps = 4;  ///< of the fine lattice in a hexahedron's edge: mid-edge vertices are on it too
 using Fine = std::array<int, 3>;
 
-Fine sum(const Fine& a, const Fine& b) {
-  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
-}
-Fine half(const Fine& a) {
-  return {a[0] / 2, a[1] / 2, a[2] / 2};
-}
-Fine middle(const Fine& a, const Fine& b) {
-  return half(sum(a, b));
-}
+Fine sum(const Fine& a, const Fine& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+Fine half(const Fine& a) { return {a[0] / 2, a[1] / 2, a[2] / 2}; }
+Fine middle(const Fine& a, const Fine& b) { return half(sum(a, b)); }
 
 std::vector<Fine> corners(const Hexahedron& h) {
   const int bottom[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};

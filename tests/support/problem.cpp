@@ -58,9 +58,7 @@ mesh::Mesh distributed(const mesh::FileMesh& whole) {
   return mesh;
 }
 
-mesh::Fixed fixed(const std::string& set, std::array<bool, 3> components) {
-  return {set, components, set};
-}
+mesh::Fixed fixed(const std::string& set, std::array<bool, 3> components) { return {set, components, set}; }
 
 mesh::Fixed fixed_between(const Eigen::Vector3d& low, const Eigen::Vector3d& high, std::array<bool, 3> components) {
   return {mesh::Region3{low, high}, components, "box"};
@@ -115,9 +113,7 @@ Eigen::VectorXd flexible(const model::Modes& modes) {
   return modes.eigenvalues.tail(modes.eigenvalues.size() - rigid_count(modes));
 }
 
-Eigen::VectorXd frequencies(const model::Modes& modes) {
-  return flexible(modes).cwiseSqrt() / (2 * std::numbers::pi);
-}
+Eigen::VectorXd frequencies(const model::Modes& modes) { return flexible(modes).cwiseSqrt() / (2 * std::numbers::pi); }
 
 Eigen::MatrixXd whole(MPI_Comm comm, const petsc::Tall& rows) {
   const petsc::Tall transposed = rows.transpose();

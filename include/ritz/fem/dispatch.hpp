@@ -14,12 +14,9 @@ namespace ritz::fem {
 template <class F>
 constexpr decltype(auto) visit(CellType type, F&& f) {
   switch (type) {
-    case CellType::tet4:
-      return std::forward<F>(f)(Tet4{});
-    case CellType::tet10:
-      return std::forward<F>(f)(Tet10{});
-    case CellType::hex8:
-      break;
+    case CellType::tet4: return std::forward<F>(f)(Tet4{});
+    case CellType::tet10: return std::forward<F>(f)(Tet10{});
+    case CellType::hex8: break;
   }
   return std::forward<F>(f)(Hex8{});
 }

@@ -108,12 +108,9 @@ double area(const Coordinates<F>& x) {
 template <class Callable>
 constexpr decltype(auto) visit(FaceType type, Callable&& f) {
   switch (type) {
-    case FaceType::tri3:
-      return std::forward<Callable>(f)(Tri3{});
-    case FaceType::tri6:
-      return std::forward<Callable>(f)(Tri6{});
-    case FaceType::quad4:
-      break;
+    case FaceType::tri3: return std::forward<Callable>(f)(Tri3{});
+    case FaceType::tri6: return std::forward<Callable>(f)(Tri6{});
+    case FaceType::quad4: break;
   }
   return std::forward<Callable>(f)(Quad4{});
 }

@@ -26,8 +26,8 @@ struct DrawnCells {
 
 struct VertexSet {
   std::string name;
-  std::vector<std::int64_t> rows;     ///< rows of `points` that are stored and belong to the set, ascending
-  std::int64_t full_count;            ///< how many vertices the set has in the whole mesh
+  std::vector<std::int64_t> rows;  ///< rows of `points` that are stored and belong to the set, ascending
+  std::int64_t full_count;         ///< how many vertices the set has in the whole mesh
 };
 
 struct RegionMaterial {
@@ -40,9 +40,9 @@ enum class Rows : std::uint8_t { all, surface };
 /// The stored vertices and what is needed to draw and to name them.
 struct Geometry {
   Rows rows = Rows::all;
-  std::int64_t full_vertices = 0;         ///< n of the whole mesh, also when only the surface is stored
-  Points points;                          ///< stored vertices, m, in the mesh file's own order
-  std::vector<std::int64_t> vertex_ids;   ///< the mesh file's own number of each stored vertex
+  std::int64_t full_vertices = 0;        ///< n of the whole mesh, also when only the surface is stored
+  Points points;                         ///< stored vertices, m, in the mesh file's own order
+  std::vector<std::int64_t> vertex_ids;  ///< the mesh file's own number of each stored vertex
   DrawnCells cells;
   std::vector<VertexSet> sets;
   std::vector<RegionMaterial> materials;
@@ -59,19 +59,19 @@ enum class Certified : std::uint8_t { no, probabilistic, inertia_f32, inertia };
 /// Where the number of modes below `shift` was counted.
 struct Certificate {
   Certified kind = Certified::no;
-  double shift = 0;               ///< σ, rad²/s², past the last mode kept
-  std::int64_t counted = 0;       ///< eigenvalues below σ by the inertia of K - σM
-  std::int64_t found = 0;         ///< eigenvalues below σ that were computed
+  double shift = 0;          ///< σ, rad²/s², past the last mode kept
+  std::int64_t counted = 0;  ///< eigenvalues below σ by the inertia of K - σM
+  std::int64_t found = 0;    ///< eigenvalues below σ that were computed
 };
 
 /// The modes of Kψ = λMψ (Eq. 1) in ascending order, rigid ones first. Column i of U is mode i of a linear model.
 struct Modes {
-  Eigen::VectorXd eigenvalues;   ///< λ = ω², rad²/s²; 0 for a rigid mode
-  Eigen::VectorXd energies;      ///< the Rayleigh quotient ψᵀKψ/ψᵀMψ as computed (tells how rigid a rigid mode is)
-  Eigen::VectorXd residuals;     ///< ‖Kψ − λMψ‖ / (λ‖Mψ‖); for a rigid mode ‖Kψ‖ / (‖K‖‖ψ‖)
+  Eigen::VectorXd eigenvalues;  ///< λ = ω², rad²/s²; 0 for a rigid mode
+  Eigen::VectorXd energies;   ///< the Rayleigh quotient ψᵀKψ/ψᵀMψ as computed (tells how rigid a rigid mode is)
+  Eigen::VectorXd residuals;  ///< ‖Kψ − λMψ‖ / (λ‖Mψ‖); for a rigid mode ‖Kψ‖ / (‖K‖‖ψ‖)
   std::vector<std::uint8_t> floor_applies;  ///< 1 where 10 ε‖K‖‖ψ‖ was the residual's gate
   std::vector<ModeKind> kinds;
-  double orthonormality = 0;     ///< max |ΨᵀMΨ − I|
+  double orthonormality = 0;  ///< max |ΨᵀMΨ − I|
   Certificate certificate;
 };
 
@@ -81,9 +81,9 @@ struct Inertia {
   Eigen::Vector3d origin;
   Eigen::MatrixXd gram;
 
-  double mass() const;                        ///< kg
-  Eigen::Vector3d centre_of_mass() const;     ///< m
-  Eigen::Matrix3d tensor() const;             ///< about the centre of mass, kg m²
+  double mass() const;                     ///< kg
+  Eigen::Vector3d centre_of_mass() const;  ///< m
+  Eigen::Matrix3d tensor() const;          ///< about the centre of mass, kg m²
   /// UᵀMR, r x 6: R's columns are unit translations along x, y, z and unit rotations about axes x, y, z through
   /// the centre of mass.
   Eigen::MatrixXd rigid_coupling() const;
@@ -94,12 +94,12 @@ struct Inertia {
 /// Unit loads on a named set, projected: Uᵀb.
 struct SetLoad {
   std::string set;
-  std::int64_t vertices = 0;     ///< that share a total force
-  Eigen::MatrixXd total;         ///< r x 3: a unit total force along x, y, z shared equally by the set's vertices
-  bool has_surface = false;      ///< whether the three below mean anything
-  double area = 0;               ///< m²
-  Eigen::VectorXd pressure;      ///< r: a unit pressure pushing into the body
-  Eigen::MatrixXd traction;      ///< r x 3: a unit traction along x, y, z
+  std::int64_t vertices = 0;  ///< that share a total force
+  Eigen::MatrixXd total;      ///< r x 3: a unit total force along x, y, z shared equally by the set's vertices
+  bool has_surface = false;   ///< whether the three below mean anything
+  double area = 0;            ///< m²
+  Eigen::VectorXd pressure;   ///< r: a unit pressure pushing into the body
+  Eigen::MatrixXd traction;   ///< r x 3: a unit traction along x, y, z
 };
 
 /// The linear part: a diagonal reduced stiffness, Eq. 3.
@@ -114,11 +114,11 @@ struct Body {
 
 /// What a run depended on.
 struct Provenance {
-  std::string program;                                          ///< "ritz-reduce 0.1.0"
-  std::vector<std::pair<std::string, std::string>> versions;    ///< PETSc, SLEPc, MUMPS, HDF5, BLAS ...
-  std::vector<std::pair<std::string, std::string>> options;     ///< every resolved option
-  std::string mesh_checksum;                                    ///< hash of vertices, cells and regions
-  std::string problem_checksum;                                 ///< mesh, materials and supports together
+  std::string program;                                        ///< "ritz-reduce 0.1.0"
+  std::vector<std::pair<std::string, std::string>> versions;  ///< PETSc, SLEPc, MUMPS, HDF5, BLAS ...
+  std::vector<std::pair<std::string, std::string>> options;   ///< every resolved option
+  std::string mesh_checksum;                                  ///< hash of vertices, cells and regions
+  std::string problem_checksum;                               ///< mesh, materials and supports together
   int ranks = 1;
 };
 
@@ -130,8 +130,8 @@ struct StageTime {
 /// Diagnostics; nothing that a motion depends on.
 struct Report {
   std::vector<StageTime> seconds;
-  std::vector<std::pair<std::string, double>> figures;          ///< iterations, peak memory, counts
-  std::vector<std::string> notes;                               ///< warnings that were printed
+  std::vector<std::pair<std::string, double>> figures;  ///< iterations, peak memory, counts
+  std::vector<std::string> notes;                       ///< warnings that were printed
 };
 
 struct Model {

@@ -28,12 +28,9 @@ enum class History : unsigned char {
 
 constexpr int history_size(History history) {
   switch (history) {
-    case History::none:
-      return 2;
-    case History::acceleration:
-      return 3;
-    case History::last_step:
-      return 4;
+    case History::none: return 2;
+    case History::acceleration: return 3;
+    case History::last_step: return 4;
   }
   return 0;
 }

@@ -3,6 +3,4 @@
 
 #include "ritz/runtime/integrators.hpp"
 
-int main() {
-  std::printf("%.15g\n", ritz::runtime::exact().step(4, 0, 1).A(0, 0));
-}
+int main() { std::printf("%.15g\n", ritz::runtime::exact().step(4, 0, 1).A(0, 0)); }
