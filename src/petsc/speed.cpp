@@ -1,7 +1,8 @@
 #include "ritz/petsc/speed.hpp"
 
-#include <petscblaslapack.h>
 #include <petscsys.h>
+
+#include <petscblaslapack.h>  // does not stand alone
 
 #include <algorithm>
 #include <chrono>
