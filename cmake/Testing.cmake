@@ -6,8 +6,11 @@ include(CTest)
 set(RITZ_MPI_ENVIRONMENT
   OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_hwloc_base_binding_policy=none
   OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1 OMPI_MCA_btl_vader_single_copy_mechanism=none
-  OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1
-  LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/support/lsan.supp:print_suppressions=0)
+  OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1)
+# Serial tests look for leaks at exit, those under MPI before they finalize it (tests/support/mpi_main.cpp).
+set(RITZ_LEAKS suppressions=${PROJECT_SOURCE_DIR}/tests/support/lsan.supp:print_suppressions=0)
+set(RITZ_LEAKS_AT_EXIT LSAN_OPTIONS=${RITZ_LEAKS})
+set(RITZ_LEAKS_BEFORE LSAN_OPTIONS=${RITZ_LEAKS}:leak_check_at_exit=0)
 
 function(ritz_add_test name)
   cmake_parse_arguments(T "" "TIMEOUT" "SOURCES;LINKS;RANKS" ${ARGN})
@@ -27,12 +30,12 @@ function(ritz_add_test name)
     foreach(ranks IN LISTS T_RANKS)
       add_test(NAME ${name}.${ranks} COMMAND ${MPIEXEC} -n ${ranks} $<TARGET_FILE:${target}>)
       set_tests_properties(${name}.${ranks} PROPERTIES PROCESSORS ${ranks} TIMEOUT ${T_TIMEOUT}
-        SKIP_RETURN_CODE 77 ENVIRONMENT "${RITZ_MPI_ENVIRONMENT}")
+        SKIP_RETURN_CODE 77 ENVIRONMENT "${RITZ_MPI_ENVIRONMENT};${RITZ_LEAKS_BEFORE}")
     endforeach()
   else()
     target_link_libraries(${target} PRIVATE GTest::gtest_main)
     add_test(NAME ${name} COMMAND ${target})
-    set_tests_properties(${name} PROPERTIES TIMEOUT ${T_TIMEOUT} ENVIRONMENT "${RITZ_MPI_ENVIRONMENT}")
+    set_tests_properties(${name} PROPERTIES TIMEOUT ${T_TIMEOUT} ENVIRONMENT "${RITZ_MPI_ENVIRONMENT};${RITZ_LEAKS_AT_EXIT}")
   endif()
 endfunction()
 
@@ -47,5 +50,5 @@ function(ritz_add_script_test name script)
   endif()
   add_test(NAME ${name} COMMAND /usr/bin/python3 "${script}" ${T_ARGS})
   set_tests_properties(${name} PROPERTIES TIMEOUT ${T_TIMEOUT} PROCESSORS ${T_PROCESSORS} SKIP_RETURN_CODE 77
-    ENVIRONMENT "${RITZ_MPI_ENVIRONMENT};RITZ_SHARED=${PROJECT_SOURCE_DIR}/../shared;RITZ_BIN=${PROJECT_BINARY_DIR}/bin")
+    ENVIRONMENT "${RITZ_MPI_ENVIRONMENT};${RITZ_LEAKS_BEFORE};RITZ_SHARED=${PROJECT_SOURCE_DIR}/../shared;RITZ_BIN=${PROJECT_BINARY_DIR}/bin")
 endfunction()
