@@ -100,6 +100,10 @@ void subtract(TallRef y, const ConstTallRef& x, const Eigen::MatrixXd& c) {
   if (y.size() > 0) gemm('N', -1, x, c, 1, y);
 }
 
+void normalise(TallRef x, const Eigen::LLT<Eigen::MatrixXd>& gram) {
+  if (x.rows() > 0) gram.matrixU().solveInPlace<Eigen::OnTheRight>(x);
+}
+
 Eigen::VectorXd column_norms(MPI_Comm comm, const ConstTallRef& x) {
   Eigen::MatrixXd squares = Eigen::MatrixXd::Zero(1, x.cols());
   if (x.rows() > 0) squares = x.colwise().squaredNorm();

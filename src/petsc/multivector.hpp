@@ -1,5 +1,6 @@
 // Tall matrices (distributed rows, few columns) and their products.
 #pragma once
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include "ritz/petsc/handle.hpp"
@@ -21,6 +22,9 @@ Eigen::MatrixXd inner(MPI_Comm comm, const ConstTallRef& x, const ConstTallRef& 
 /// x c, and y -= x c: combinations of columns by BLAS.
 Tall combine(const ConstTallRef& x, const Eigen::MatrixXd& c);
 void subtract(TallRef y, const ConstTallRef& x, const Eigen::MatrixXd& c);
+
+/// x ← x L⁻ᵀ of a Gram matrix xᵀMx = L Lᵀ: the columns become M-orthonormal. A rank may have no rows.
+void normalise(TallRef x, const Eigen::LLT<Eigen::MatrixXd>& gram);
 
 /// Column norms ‖x_j‖₂. *Collective*.
 Eigen::VectorXd column_norms(MPI_Comm comm, const ConstTallRef& x);

@@ -110,8 +110,8 @@ class Krylov {
     const bool whole = cholesky.info() == Eigen::Success && w.cols() == room &&
                        pivots.minCoeff() > well_conditioned * pivots.maxCoeff();
     if (whole) {
-      cholesky.matrixU().solveInPlace<Eigen::OnTheRight>(w);
-      cholesky.matrixU().solveInPlace<Eigen::OnTheRight>(mv_);
+      petsc::normalise(w, cholesky);
+      petsc::normalise(mv_, cholesky);
       V().middleCols(done_, room) = w;
       coupling_ = cholesky.matrixU();
       pending_ = room;

@@ -65,7 +65,7 @@ petsc::Tall rigid_modes(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Fu
     const Eigen::LLT<Eigen::MatrixXd> gram(petsc::inner(mesh.comm, R, petsc::multiply(full.mass, R)));
     if (gram.info() != Eigen::Success)
       throw NumericalError("the rigid modes of the body are not independent: is a piece a single point?");
-    gram.matrixU().solveInPlace<Eigen::OnTheRight>(R);
+    petsc::normalise(R, gram);
   }
   return R;
 }
