@@ -1,12 +1,10 @@
 #include "ritz/app/plan.hpp"
 
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 
 #include "ritz/app/resources.hpp"
 #include "ritz/parallel/comm.hpp"
-#include "ritz/petsc/check.hpp"
 #include "ritz/petsc/panel.hpp"
 #include "ritz/petsc/speed.hpp"
 #include "ritz/stages/eigen_strategy.hpp"
@@ -26,7 +24,6 @@ constexpr double flops_per_row = 60;         ///< of the dense algebra in one of
 constexpr double columns_per_column = 14;    ///< vectors in memory for each of the block
 constexpr double base_memory = 70e6;         ///< of a rank that holds nothing, bytes
 constexpr double memory_share = 0.8;         ///< of the free memory that the direct strategy may take
-constexpr int spare_pairs = 4;
 
 /// The factor of a solid of N degrees of freedom, bytes over all ranks, without an analysis: fill grows like N^1.41.
 double rough_factor_bytes(double N) { return 0.8e9 * std::pow(N / 1e5, 1.41); }
@@ -42,7 +39,7 @@ Estimate direct(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const stages::Fu
                 const stages::ModesOptions& options) {
   const double ranks = parallel::size(mesh.comm), speed = 1 + parallel_efficiency * (ranks - 1);
   const petsc::FactorEstimate f = petsc::Factorization(mesh.comm, "solve_").analyse(full.stiffness);
-  const double pairs = options.count + spare_pairs, columns = pairs * columns_per_mode;
+  const double pairs = options.count + stages::spare_pairs, columns = pairs * columns_per_mode;
   const double basis =
       8.0 * static_cast<double>(dofs.total) / ranks * (std::max(2 * pairs, pairs + 20 * options.block) + 2 * pairs);
   const double factor = 2 * f.flops / (factor_efficiency * petsc::dgemm_rate() * speed);
@@ -51,22 +48,11 @@ Estimate direct(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const stages::Fu
           "two factorizations " + whole(factor) + ", block Lanczos " + whole(solve)};
 }
 
-/// Seconds that K takes for eight columns.
-double product_seconds(const stages::Full& full, Eigen::Index rows) {
-  const petsc::Tall x = petsc::Tall::Ones(rows, petsc::panel_width);
-  petsc::Tall y(rows, petsc::panel_width);
-  const auto start = std::chrono::steady_clock::now();
-  petsc::multiply(full.stiffness, x, y);
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 Estimate iterative(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const stages::Full& full,
                    const stages::ModesOptions& options) {
   const double rows = static_cast<double>(dofs.total) / parallel::size(mesh.comm);
-  const double width = stages::iterative_block(options.count + spare_pairs);
-  PetscInt local = 0;
-  petsc::check(MatGetLocalSize(full.stiffness, &local, nullptr));
-  const double product = parallel::max(mesh.comm, product_seconds(full, local));
+  const double width = stages::iterative_block(options.count + stages::spare_pairs);
+  const double product = parallel::max(mesh.comm, petsc::panel_seconds(full.stiffness));
   const double step = width / petsc::panel_width * products_per_panel * product +
                       flops_per_row * rows * width * width / petsc::dgemm_rate();
   return {base_memory + 1.3 * peak_memory() + 8 * rows * columns_per_column * width, lobpcg_steps * step,

@@ -63,6 +63,9 @@ std::vector<std::pair<std::string, std::string>> solver_options_given() {
   std::erase_if(given, [](const auto& o) {
     return !is_slepc(o.first) && !o.first.starts_with("solve_") && !o.first.starts_with("multigrid_");
   });
+  for (const auto& [name, value] : given)
+    if (name.starts_with("multigrid_mg_"))
+      throw InputError("option -" + name + " has no effect: the smoothers of the multigrid are set by ritz; remove it");
   return given;
 }
 

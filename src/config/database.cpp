@@ -42,9 +42,8 @@ bool is_late(const std::string& name) {
   constexpr std::array reports = {"_view", "_converged_reason", "_error_"};
   const auto holds = [&](const char* part) { return name.find(part) != name.npos; };
   if (std::find(at_the_end.begin(), at_the_end.end(), name) != at_the_end.end()) return true;
-  if (name.starts_with("modes_st_mg_levels_") || name.starts_with("multigrid_mg_")) return true;
-  const bool solver = name.starts_with("modes_eps_") || name.starts_with("modes_st_") || name.starts_with("solve_") ||
-                      name.starts_with("multigrid_");
+  if (name.starts_with("modes_st_mg_levels_")) return true;
+  const bool solver = name.starts_with("modes_eps_") || name.starts_with("modes_st_") || name.starts_with("solve_ksp_");
   return solver && std::any_of(reports.begin(), reports.end(), holds);
 }
 

@@ -15,20 +15,6 @@ constexpr const char* prefix = "modes_";
 
 MPI_Comm comm_of(Mat A) { return PetscObjectComm(reinterpret_cast<PetscObject>(A)); }
 
-/// Copies of columns as PETSc vectors that fit A.
-std::vector<Vector> as_vectors(Mat A, const ConstTallRef& columns) {
-  std::vector<Vector> list(static_cast<std::size_t>(columns.cols()));
-  for (Eigen::Index j = 0; j < columns.cols(); ++j) {
-    auto& v = list[static_cast<std::size_t>(j)];
-    PetscScalar* values = nullptr;
-    check(MatCreateVecs(A, v.out(), nullptr));
-    check(VecGetArrayWrite(v, &values));
-    std::copy_n(columns.col(j).data(), columns.rows(), values);
-    check(VecRestoreArrayWrite(v, &values));
-  }
-  return list;
-}
-
 std::vector<Vec> raw(const std::vector<Vector>& list) { return {list.begin(), list.end()}; }
 
 ST spectral_transformation(EPS eps) {

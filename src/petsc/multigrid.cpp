@@ -18,14 +18,8 @@ MPI_Comm comm_of(Mat A) { return PetscObjectComm(reinterpret_cast<PetscObject>(A
 
 /// Tells GAMG what the coarse levels must represent.
 void attach(Mat A, const ConstTallRef& columns) {
-  std::vector<Vector> owned(static_cast<std::size_t>(columns.cols()));
+  const auto owned = as_vectors(A, columns);
   for (std::size_t j = 0; j < owned.size(); ++j) {
-    const auto column = columns.col(static_cast<Eigen::Index>(j));
-    PetscScalar* values = nullptr;
-    check(MatCreateVecs(A, owned[j].out(), nullptr));
-    check(VecGetArrayWrite(owned[j], &values));
-    std::copy_n(column.data(), column.size(), values);
-    check(VecRestoreArrayWrite(owned[j], &values));
     for (std::size_t i = 0; i < j; ++i) {
       PetscScalar dot = 0;
       check(VecDot(owned[j], owned[i], &dot));
@@ -179,7 +173,6 @@ class Multigrid::Coarsest {
  public:
   explicit Coarsest(Mat A) : comm_(comm_of(A)), first_(first_row(A)) {
     PetscInt total = 0;
-    Matrix dense;
     check(MatGetSize(A, &total, nullptr));
     check(MatGetLocalSize(A, &rows_, nullptr));
     Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(total, total);
@@ -241,13 +234,7 @@ void Multigrid::cycle(std::size_t level, const Panel& r, Panel& z) const {
 }
 
 void Multigrid::apply(const ConstTallRef& r, TallRef z) const {
-  Panel from = Panel::Zero(r.rows(), panel_width), to;
-  for (Eigen::Index j = 0; j < r.cols(); j += panel_width) {
-    const auto width = std::min<Eigen::Index>(panel_width, r.cols() - j);
-    from.leftCols(width) = r.middleCols(j, width);
-    cycle(0, from, to);
-    z.middleCols(j, width) = to.leftCols(width);
-  }
+  each_panel(r, z, [&](const Panel& from, Panel& to) { cycle(0, from, to); });
 }
 
 }  // namespace ritz::petsc

@@ -1,6 +1,5 @@
 // One multigrid cycle as a preconditioner for blocks of vectors.
 #pragma once
-#include <Eigen/Cholesky>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,6 +21,7 @@ class Multigrid {
   /// z ≈ A⁻¹ r for all columns. *Collective*.
   void apply(const ConstTallRef& r, TallRef z) const;
 
+  /// Levels, the dense one too.
   int levels() const;
 
  private:

@@ -17,10 +17,11 @@ constexpr Eigen::Index least_panel = 3;  ///< columns from which a panel, even a
 
 MPI_Comm comm_of(Mat A) { return PetscObjectComm(reinterpret_cast<PetscObject>(A)); }
 
-/// c = alpha op(a) b + beta c, with op the transpose for 'T'.
+/// c = alpha op(a) b + beta c, with op the transpose for 'T'. Nothing to sum over: c stays (BLAS refuses empty sides).
 void gemm(char op, double alpha, const ConstTallRef& a, const ConstTallRef& b, double beta, TallRef c) {
   const auto rows = static_cast<PetscBLASInt>(c.rows()), columns = static_cast<PetscBLASInt>(c.cols());
   const auto depth = static_cast<PetscBLASInt>(b.rows());
+  if (c.size() == 0 || depth == 0) return;
   const auto lda = static_cast<PetscBLASInt>(a.outerStride()), ldb = static_cast<PetscBLASInt>(b.outerStride()),
              ldc = static_cast<PetscBLASInt>(c.outerStride());
   BLASgemm_(&op, "N", &rows, &columns, &depth, &alpha, a.data(), &lda, b.data(), &ldb, &beta, c.data(), &ldc);
@@ -49,13 +50,7 @@ void multiply_columns(Mat A, const ConstTallRef& x, TallRef y) {
 
 void multiply_panels(Mat A, const ConstTallRef& x, TallRef y) {
   PanelProduct product(A);
-  Panel from = Panel::Zero(x.rows(), panel_width), to;
-  for (Eigen::Index j = 0; j < x.cols(); j += panel_width) {
-    const auto width = std::min<Eigen::Index>(panel_width, x.cols() - j);
-    from.leftCols(width) = x.middleCols(j, width);
-    product.apply(from, to);
-    y.middleCols(j, width) = to.leftCols(width);
-  }
+  each_panel(x, y, [&](const Panel& from, Panel& to) { product.apply(from, to); });
 }
 
 /// sqrt(x_jᵀ (M x)_j).
@@ -85,20 +80,18 @@ Tall multiply(Mat A, const ConstTallRef& x) {
 
 Eigen::MatrixXd inner(MPI_Comm comm, const ConstTallRef& x, const ConstTallRef& y) {
   Eigen::MatrixXd product = Eigen::MatrixXd::Zero(x.cols(), y.cols());
-  if (x.rows() > 0) gemm('T', 1, x, y, 0, product);
+  gemm('T', 1, x, y, 0, product);
   parallel::sum_in_place(comm, product);
   return product;
 }
 
 Tall combine(const ConstTallRef& x, const Eigen::MatrixXd& c) {
   Tall product = Tall::Zero(x.rows(), c.cols());
-  if (product.size() > 0) gemm('N', 1, x, c, 0, product);
+  gemm('N', 1, x, c, 0, product);
   return product;
 }
 
-void subtract(TallRef y, const ConstTallRef& x, const Eigen::MatrixXd& c) {
-  if (y.size() > 0) gemm('N', -1, x, c, 1, y);
-}
+void subtract(TallRef y, const ConstTallRef& x, const Eigen::MatrixXd& c) { gemm('N', -1, x, c, 1, y); }
 
 void normalise(TallRef x, const Eigen::LLT<Eigen::MatrixXd>& gram) {
   if (x.rows() > 0) gram.matrixU().solveInPlace<Eigen::OnTheRight>(x);
@@ -116,6 +109,19 @@ Matrix as_dense(MPI_Comm comm, TallRef x) {
   const auto rows = static_cast<PetscInt>(x.rows()), columns = static_cast<PetscInt>(x.cols());
   check(MatCreateDense(comm, rows, PETSC_DECIDE, PETSC_DECIDE, columns, x.data(), dense.out()));
   return dense;
+}
+
+std::vector<Vector> as_vectors(Mat A, const ConstTallRef& x) {
+  std::vector<Vector> list(static_cast<std::size_t>(x.cols()));
+  for (Eigen::Index j = 0; j < x.cols(); ++j) {
+    auto& v = list[static_cast<std::size_t>(j)];
+    PetscScalar* values = nullptr;
+    check(MatCreateVecs(A, v.out(), nullptr));
+    check(VecGetArrayWrite(v, &values));
+    std::copy_n(x.col(j).data(), x.rows(), values);
+    check(VecRestoreArrayWrite(v, &values));
+  }
+  return list;
 }
 
 int orthonormalise(Mat M, const ConstTallRef& against, TallRef x, double drop) {

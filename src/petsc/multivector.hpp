@@ -2,6 +2,7 @@
 #pragma once
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <vector>
 
 #include "ritz/petsc/handle.hpp"
 
@@ -31,6 +32,9 @@ Eigen::VectorXd column_norms(MPI_Comm comm, const ConstTallRef& x);
 
 /// The local rows x (contiguous columns) seen as a dense PETSc matrix; x must outlive it.
 Matrix as_dense(MPI_Comm comm, TallRef x);
+
+/// Copies of the columns as PETSc vectors that fit A. *Collective*.
+std::vector<Vector> as_vectors(Mat A, const ConstTallRef& x);
 
 /// M-orthonormalises x against the M-orthonormal columns of `against` (may have none) and within itself: twice, and
 /// once more where much was taken away in the second pass. Directions whose M-norm falls below `drop` times what it was

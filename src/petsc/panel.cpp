@@ -33,6 +33,23 @@ void add_product(PetscInt rows, const PetscInt* starts, const PetscInt* columns,
   }
 }
 
+/// What the ranks exchange for products with A: made at the first, then kept in A.
+PetscSF exchange(Mat A, PetscInt ghosts, const PetscInt* columns) {
+  constexpr const char* key = "ritz_panel_exchange";
+  const auto object = reinterpret_cast<PetscObject>(A);
+  PetscObject kept = nullptr;
+  check(PetscObjectQuery(object, key, &kept));
+  if (kept) return reinterpret_cast<PetscSF>(kept);
+  StarForest made;
+  PetscLayout layout = nullptr;
+  check(MatGetLayouts(A, nullptr, &layout));
+  check(PetscSFCreate(PetscObjectComm(object), made.out()));
+  check(PetscSFSetGraphLayout(made, layout, ghosts, nullptr, PETSC_COPY_VALUES, columns));
+  check(PetscSFSetUp(made));
+  check(PetscObjectCompose(object, key, reinterpret_cast<PetscObject>(made.get())));
+  return made;
+}
+
 }  // namespace
 
 PanelProduct::Part PanelProduct::part_of(Mat A) {
@@ -55,15 +72,11 @@ PanelProduct::PanelProduct(Mat A) {
   Mat own = nullptr, other = nullptr;
   const PetscInt* ghost_columns = nullptr;
   PetscInt ghosts = 0;
-  PetscLayout layout = nullptr;
   check(MatMPIAIJGetSeqAIJ(A, &own, &other, &ghost_columns));
   own_ = part_of(own);
   other_ = part_of(other);
   check(MatGetSize(other, nullptr, &ghosts));
-  check(MatGetLayouts(A, nullptr, &layout));
-  check(PetscSFCreate(comm, exchange_.out()));
-  check(PetscSFSetGraphLayout(exchange_, layout, ghosts, nullptr, PETSC_COPY_VALUES, ghost_columns));
-  check(PetscSFSetUp(exchange_));
+  exchange_ = exchange(A, ghosts, ghost_columns);
   ghosts_.resize(ghosts, panel_width);
 }
 

@@ -9,6 +9,8 @@
 #include <numeric>
 #include <vector>
 
+#include "ritz/petsc/panel.hpp"
+
 namespace ritz::petsc {
 namespace {
 
@@ -40,6 +42,12 @@ double memory_rate() {
   volatile double sum = 0;
   const double seconds = best_seconds([&] { sum = std::reduce(values.begin(), values.end()); });
   return 8.0 * static_cast<double>(values.size()) / seconds;
+}
+
+double panel_seconds(Mat A) {
+  PanelProduct product(A);
+  Panel x = Panel::Ones(product.rows(), panel_width), y;
+  return best_seconds([&] { product.apply(x, y); });
 }
 
 }  // namespace ritz::petsc

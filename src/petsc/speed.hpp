@@ -1,5 +1,6 @@
 // How fast this machine is, measured in a moment.
 #pragma once
+#include "ritz/petsc/handle.hpp"
 
 namespace ritz::petsc {
 
@@ -8,5 +9,8 @@ double dgemm_rate();
 
 /// Bytes a second that one rank reads from memory.
 double memory_rate();
+
+/// Seconds that A takes for eight columns at once. *Collective*.
+double panel_seconds(Mat A);
 
 }  // namespace ritz::petsc

@@ -18,7 +18,6 @@ namespace {
 
 using Eigen::Index;
 
-constexpr int margin = 4;              ///< pairs beyond the last wanted one, among which a gap for the shift is sought
 constexpr int searches = 3;            ///< how often modes that the count says are missing are searched for
 constexpr double rigid_energy = 1e-6;  ///< a rigid mode's Rayleigh quotient, relative to the first flexible λ
 constexpr std::uint64_t sign_stream = 1;
@@ -88,7 +87,7 @@ class Search {
 
   void run(const petsc::Tall& known) {
     const Index count = std::min<Index>(options_.count, most_);
-    Index wanted = std::min<Index>(count + margin, most_);
+    Index wanted = std::min<Index>(count + spare_pairs, most_);
     found = find(static_cast<int>(wanted), known);
     while ((kept = kept_count(found.pairs.values, count, wanted == most_)) == 0 && count > 0) {
       wanted = std::min<Index>(2 * wanted, most_);

@@ -11,6 +11,9 @@
 
 namespace ritz::stages {
 
+/// Pairs sought beyond the last wanted one, among which a gap for the certificate's shift is found.
+inline constexpr int spare_pairs = 4;
+
 enum class Strategy { direct, iterative };
 
 struct ModesOptions {

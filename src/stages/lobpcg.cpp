@@ -27,7 +27,7 @@ petsc::Tall joined(const petsc::ConstTallRef& a, const petsc::ConstTallRef& b) {
 MatrixXd directions(const MatrixXd& C, const std::vector<Index>& columns) {
   MatrixXd D = C(Eigen::all, columns);
   D.topRows(C.cols()).setZero();
-  D.colwise().normalize();
+  D = D * D.colwise().norm().cwiseMax(std::numeric_limits<double>::min()).cwiseInverse().asDiagonal();
   for (int pass = 0; pass < 2; ++pass) D -= C * (C.transpose() * D);
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(D.transpose() * D);
   const auto& values = eigen.eigenvalues();

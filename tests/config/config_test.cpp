@@ -149,6 +149,8 @@ TEST(Config, RefusesOptionsThatNobodyReads) {
   refuses({"-modes_st_pc_typ", "lu"}, "-modes_st_pc_typ", "-modes_st_pc_type?");
   refuses({"-solve_ksp_typo", "cg"}, "-solve_ksp_typo", "-solve_ksp_type?");
   refuses({"-solve_mat_mumps_incntl_14", "5"}, "-solve_mat_mumps_incntl_14", "-solve_mat_mumps_icntl_14?");
+  refuses({"-multigrid_mg_levels_ksp_type", "richardson"}, "-multigrid_mg_levels_ksp_type");
+  refuses({"-multigrid_pc_gamg_treshold", "5"}, "-multigrid_pc_gamg_treshold", "-multigrid_pc_gamg_threshold?");
   refuses({"-material__young", "5"}, "-material__young");
   refuses({"-material_lid_yuong", "5"}, "-material_lid_yuong");
 }

@@ -27,6 +27,8 @@ class MultigridOfAChain : public testing::Test {
   }
 };
 
+TEST_F(MultigridOfAChain, HasLevels) { EXPECT_GE(cycle.levels(), 2); }
+
 TEST_F(MultigridOfAChain, IsLinear) {
   Tall turned = x.rowwise().reverse();
   EXPECT_LE(max_over_ranks(cycled(2 * x + turned) - 2 * cycled(x) - cycled(turned)), 1e-9);

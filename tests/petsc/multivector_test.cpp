@@ -12,12 +12,25 @@ using namespace test;
 
 constexpr PetscInt n = 23;
 
-TEST(Multivector, MultipliesColumnByColumn) {
+// Products go through panels of eight columns, parts of one, and single columns.
+TEST(Multivector, MultipliesAnyNumberOfColumns) {
   const Matrix A = tridiagonal(n, 3, -0.5);
-  const auto x = whole_random(n, 4, 1);
-  const Tall y = multiply(A, my_part(x));
-  EXPECT_LE(max_over_ranks(y - my_part(dense(n, 3, -0.5) * x)), 1e-15);
-  EXPECT_EQ(multiply(A, my_part(x).leftCols(0)).cols(), 0);
+  for (int columns = 0; columns <= 19; ++columns) {
+    const auto x = whole_random(n, columns, 1);
+    const Tall y = multiply(A, my_part(x));
+    ASSERT_EQ(y.cols(), columns);
+    EXPECT_LE(max_over_ranks(y - my_part(dense(n, 3, -0.5) * x)), 1e-15) << columns;
+  }
+}
+
+TEST(Multivector, CombinesColumns) {
+  const auto x = whole_random(n, 5, 7), c = whole_random(5, 3, 8), y = whole_random(n, 3, 9);
+  Tall rest = my_part(y);
+  subtract(rest, my_part(x), c);
+  EXPECT_LE(max_over_ranks(combine(my_part(x), c) - my_part(x * c)), 1e-14);
+  EXPECT_LE(max_over_ranks(rest - my_part(y - x * c)), 1e-14);
+  EXPECT_EQ(max_over_ranks(combine(my_part(x).leftCols(0), c.topRows(0))), 0);
+  EXPECT_EQ(inner(world, my_part(x).leftCols(0), my_part(y)).rows(), 0);
 }
 
 TEST(Multivector, MultipliesIntoPartsOfAnother) {
