@@ -16,8 +16,8 @@ struct Csr {
 
 enum class Definite { semi, positive };
 
-/// A symmetric square matrix with `block` rows a vertex. *Collective*.
-Matrix symmetric_matrix(MPI_Comm comm, const Csr& rows, PetscInt block, Definite definite);
+/// A symmetric square matrix with `block` rows a vertex; the rows become its storage. *Collective*.
+Matrix symmetric_matrix(MPI_Comm comm, Csr rows, PetscInt block, Definite definite);
 
 /// The 3 x 3 identity, whole on rank 0: enough for a solver to be set up and so to read its options. *Collective*.
 Matrix tiny_identity(MPI_Comm comm);

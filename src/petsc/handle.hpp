@@ -44,6 +44,7 @@ using EigenSolver = Handle<EPS, EPSDestroy>;
 using IndexSet = Handle<IS, ISDestroy>;
 using NullSpace = Handle<MatNullSpace, MatNullSpaceDestroy>;
 using Scatter = Handle<VecScatter, VecScatterDestroy>;
+using Container = Handle<PetscContainer, PetscContainerDestroy>;
 using Viewer = Handle<PetscViewer, PetscViewerDestroy>;
 
 }  // namespace ritz::petsc

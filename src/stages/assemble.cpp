@@ -1,5 +1,7 @@
 #include "ritz/stages/assemble.hpp"
 
+#include <utility>
+
 #include "ritz/fem/dispatch.hpp"
 #include "ritz/fem/mass.hpp"
 #include "ritz/fem/stiffness.hpp"
@@ -9,42 +11,13 @@
 namespace ritz::stages {
 namespace {
 
-/// 3 x 3 blocks of K and scalars of M_s on the vertex graph, rows of owned vertices.
-struct Blocks {
+/// K's rows, filled in place, and one number of M_s for each entry of the vertex graph.
+struct Sums {
   VertexGraph graph;
-  std::vector<Eigen::Matrix3d> stiffness;
+  std::vector<PetscInt> offsets;  ///< of a graph entry: how many columns stand before it in each of its vertex's rows
+  petsc::Csr stiffness;
   std::vector<double> mass;
 };
-
-template <class E>
-void add_cell(Blocks& blocks, const mesh::Mesh& mesh, int cell, const fem::StVK& material) {
-  const auto vertices = mesh.cells.of(cell);
-  fem::Coordinates<E> x;
-  for (int a = 0; a < E::vertices; ++a) x.col(a) = mesh.points.col(vertices[static_cast<std::size_t>(a)]);
-  const auto K = fem::stiffness<E>(x, material);
-  const auto M = fem::mass<E>(x, material.density);
-  for (int a = 0; a < E::vertices; ++a) {
-    const int row = vertices[static_cast<std::size_t>(a)];
-    if (row >= mesh.owned) continue;
-    for (int b = 0; b < E::vertices; ++b) {
-      const auto place = blocks.graph.place(mesh.global, row, vertices[static_cast<std::size_t>(b)]);
-      blocks.stiffness[place] += K.template block<3, 3>(3 * a, 3 * b);
-      blocks.mass[place] += M(a, b);
-    }
-  }
-}
-
-Blocks add_cells(const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials) {
-  Blocks blocks{vertex_graph(mesh), {}, {}};
-  blocks.stiffness.assign(blocks.graph.columns.size(), Eigen::Matrix3d::Zero());
-  blocks.mass.assign(blocks.graph.columns.size(), 0);
-  for (const int c : file_order(mesh.cells)) {
-    const auto i = static_cast<std::size_t>(c);
-    const auto& material = materials[static_cast<std::size_t>(mesh.cells.regions[i])];
-    fem::visit(mesh.cells.types[i], [&]<class E>(E) { add_cell<E>(blocks, mesh, c, material); });
-  }
-  return blocks;
-}
 
 /// Goes through the free entries of each owned row in order: take(place, component of the row, of the column, column).
 template <class Take, class End>
@@ -60,54 +33,102 @@ void each_free_entry(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Verte
     }
 }
 
-petsc::Matrix stiffness_matrix(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Blocks& blocks) {
-  petsc::Csr csr;
-  csr.columns.reserve(9 * blocks.stiffness.size());
-  csr.values.reserve(9 * blocks.stiffness.size());
+Sums empty_sums(const mesh::Mesh& mesh, const mesh::Dofs& dofs) {
+  Sums sums;
+  sums.graph = vertex_graph(mesh);
+  const auto entries = sums.graph.columns.size();
+  sums.mass.assign(entries, 0);
+  sums.offsets.resize(entries);
+  sums.stiffness.columns.reserve(9 * entries);
+  for (std::size_t row = 0; row + 1 < sums.graph.starts.size(); ++row) {
+    PetscInt before = 0;
+    for (auto p = sums.graph.starts[row]; p < sums.graph.starts[row + 1]; ++p) {
+      sums.offsets[p] = before;
+      for (int j = 0; j < mesh::components; ++j) before += !dofs.fixed(sums.graph.columns[p], j);
+    }
+  }
   each_free_entry(
-      mesh, dofs, blocks.graph,
-      [&](std::size_t p, int i, int j, mesh::Index column) {
-        csr.columns.push_back(static_cast<PetscInt>(column));
-        csr.values.push_back(blocks.stiffness[p](i, j));
+      mesh, dofs, sums.graph,
+      [&](std::size_t, int, int, mesh::Index column) {
+        sums.stiffness.columns.push_back(static_cast<PetscInt>(column));
       },
-      [&] { csr.starts.push_back(static_cast<PetscInt>(csr.columns.size())); });
-  return petsc::symmetric_matrix(mesh.comm, csr, dofs.block, petsc::Definite::semi);
+      [&] { sums.stiffness.starts.push_back(static_cast<PetscInt>(sums.stiffness.columns.size())); });
+  sums.stiffness.values.assign(sums.stiffness.columns.size(), 0);
+  return sums;
 }
 
-petsc::Matrix mass_matrix(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Blocks& blocks) {
+/// Adds the block of two vertices to the rows of the first.
+void add_block(Sums& sums, const mesh::Dofs& dofs, std::size_t place, int row, int column, const Eigen::Matrix3d& K) {
+  for (int i = 0; i < mesh::components; ++i) {
+    if (dofs.fixed(row, i)) continue;
+    const auto local = static_cast<std::size_t>(dofs.number(row, i) - dofs.first);
+    auto at = static_cast<std::size_t>(sums.stiffness.starts[local] + sums.offsets[place]);
+    for (int j = 0; j < mesh::components; ++j)
+      if (!dofs.fixed(column, j)) sums.stiffness.values[at++] += K(i, j);
+  }
+}
+
+template <class E>
+void add_cell(Sums& sums, const mesh::Mesh& mesh, const mesh::Dofs& dofs, int cell, const fem::StVK& material) {
+  const auto vertices = mesh.cells.of(cell);
+  fem::Coordinates<E> x;
+  for (int a = 0; a < E::vertices; ++a) x.col(a) = mesh.points.col(vertices[static_cast<std::size_t>(a)]);
+  const auto K = fem::stiffness<E>(x, material);
+  const auto M = fem::mass<E>(x, material.density);
+  for (int a = 0; a < E::vertices; ++a) {
+    const int row = vertices[static_cast<std::size_t>(a)];
+    if (row >= mesh.owned) continue;
+    for (int b = 0; b < E::vertices; ++b) {
+      const int column = vertices[static_cast<std::size_t>(b)];
+      const auto place = sums.graph.place(mesh.global, row, column);
+      add_block(sums, dofs, place, row, column, K.template block<3, 3>(3 * a, 3 * b));
+      sums.mass[place] += M(a, b);
+    }
+  }
+}
+
+void add_cells(Sums& sums, const mesh::Mesh& mesh, const mesh::Dofs& dofs, const std::vector<fem::StVK>& materials) {
+  for (const int c : file_order(mesh.cells)) {
+    const auto i = static_cast<std::size_t>(c);
+    const auto& material = materials[static_cast<std::size_t>(mesh.cells.regions[i])];
+    fem::visit(mesh.cells.types[i], [&]<class E>(E) { add_cell<E>(sums, mesh, dofs, c, material); });
+  }
+}
+
+petsc::Matrix mass_matrix(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Sums& sums) {
   petsc::Csr csr;
-  csr.columns.reserve(3 * blocks.mass.size());
-  csr.values.reserve(3 * blocks.mass.size());
+  csr.columns.reserve(3 * sums.mass.size());
+  csr.values.reserve(3 * sums.mass.size());
   each_free_entry(
-      mesh, dofs, blocks.graph,
+      mesh, dofs, sums.graph,
       [&](std::size_t p, int i, int j, mesh::Index column) {
         if (i != j) return;
         csr.columns.push_back(static_cast<PetscInt>(column));
-        csr.values.push_back(blocks.mass[p]);
+        csr.values.push_back(sums.mass[p]);
       },
       [&] { csr.starts.push_back(static_cast<PetscInt>(csr.columns.size())); });
-  return petsc::symmetric_matrix(mesh.comm, csr, dofs.block, petsc::Definite::positive);
+  return petsc::symmetric_matrix(mesh.comm, std::move(csr), dofs.block, petsc::Definite::positive);
 }
 
-petsc::Matrix scalar_mass_matrix(const mesh::Mesh& mesh, Blocks& blocks) {
+petsc::Matrix scalar_mass_matrix(const mesh::Mesh& mesh, Sums& sums) {
   petsc::Csr csr;
-  csr.values = std::move(blocks.mass);
-  for (const int v : blocks.graph.columns)
+  csr.values = std::move(sums.mass);
+  for (const int v : sums.graph.columns)
     csr.columns.push_back(static_cast<PetscInt>(mesh.global[static_cast<std::size_t>(v)]));
-  csr.starts.assign(blocks.graph.starts.begin(), blocks.graph.starts.end());
-  return petsc::symmetric_matrix(mesh.comm, csr, 1, petsc::Definite::positive);
+  csr.starts.assign(sums.graph.starts.begin(), sums.graph.starts.end());
+  return petsc::symmetric_matrix(mesh.comm, std::move(csr), 1, petsc::Definite::positive);
 }
 
 }  // namespace
 
 Full assemble(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const std::vector<fem::StVK>& materials) {
-  Blocks blocks = add_cells(mesh, materials);
+  Sums sums = empty_sums(mesh, dofs);
+  add_cells(sums, mesh, dofs, materials);
   Full full;
   full.materials = materials;
-  full.stiffness = stiffness_matrix(mesh, dofs, blocks);
-  blocks.stiffness = {};
-  full.mass = mass_matrix(mesh, dofs, blocks);
-  full.scalar_mass = scalar_mass_matrix(mesh, blocks);
+  full.stiffness = petsc::symmetric_matrix(mesh.comm, std::move(sums.stiffness), dofs.block, petsc::Definite::semi);
+  full.mass = mass_matrix(mesh, dofs, sums);
+  full.scalar_mass = scalar_mass_matrix(mesh, sums);
   return full;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "ritz/base/random.hpp"
 #include "ritz/parallel/comm.hpp"
@@ -36,7 +37,7 @@ inline Matrix tridiagonal(PetscInt total, double diagonal, double off) {
     }
     csr.starts.push_back(static_cast<PetscInt>(csr.columns.size()));
   }
-  return symmetric_matrix(world, csr, 1, Definite::positive);
+  return symmetric_matrix(world, std::move(csr), 1, Definite::positive);
 }
 
 inline double chain_eigenvalue(PetscInt total, int j) {
