@@ -63,10 +63,14 @@ std::vector<std::pair<std::string, std::string>> solver_options_given() {
   std::erase_if(given, [](const auto& o) {
     return !is_slepc(o.first) && !o.first.starts_with("solve_") && !o.first.starts_with("multigrid_");
   });
+  return given;
+}
+
+/// PETSc reads options for the smoothers of its own cycle when it sets up the levels; the cycle here has its own.
+void refuse_smoother_options(const std::vector<std::pair<std::string, std::string>>& given) {
   for (const auto& [name, value] : given)
     if (name.starts_with("multigrid_mg_"))
-      throw InputError("option -" + name + " has no effect: the smoothers of the multigrid are set by ritz; remove it");
-  return given;
+      throw InputError("option -" + name + " has no effect: the multigrid has its own smoothers; leave it out");
 }
 
 /// The solvers meet their options here first: what they object to is input, whatever they call it.
@@ -95,6 +99,7 @@ Config read_config(MPI_Comm comm) {
   config.modes.block = options.integer("modes_block", 4, 1, 64);
   config.modes.tolerance = options.real("modes_tolerance", 1e-10, 1e-14, 1e-2);
   const auto solvers = solver_options_given();
+  refuse_smoother_options(solvers);
   config.modes.slepc = std::any_of(solvers.begin(), solvers.end(), [](const auto& o) { return is_slepc(o.first); });
   config.solver = static_cast<Solver>(options.choice("solver", {"auto", "direct", "iterative"}, 0));
   if (config.modes.slepc && config.solver == Solver::iterative)

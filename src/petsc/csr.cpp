@@ -7,7 +7,6 @@
 #include "ritz/petsc/check.hpp"
 
 namespace ritz::petsc {
-
 namespace {
 
 /// What a matrix's numbers stand in: this rank's rows, columns of its own and of other ranks apart.
@@ -83,12 +82,6 @@ Matrix tiny_identity(MPI_Comm comm) {
     rows.starts.push_back(i + 1);
   }
   return symmetric_matrix(comm, std::move(rows), 3, Definite::positive);
-}
-
-double stored_bytes(Mat A) {
-  MatInfo info;
-  check(MatGetInfo(A, MAT_LOCAL, &info));
-  return info.memory;
 }
 
 }  // namespace ritz::petsc

@@ -1,6 +1,5 @@
 // Sparse matrices built from rows that this rank has counted itself.
 #pragma once
-#include <cstdint>
 #include <vector>
 
 #include "ritz/petsc/handle.hpp"
@@ -21,8 +20,5 @@ Matrix symmetric_matrix(MPI_Comm comm, Csr rows, PetscInt block, Definite defini
 
 /// The 3 x 3 identity, whole on rank 0: enough for a solver to be set up and so to read its options. *Collective*.
 Matrix tiny_identity(MPI_Comm comm);
-
-/// Shares of memory for the summary: bytes of all non-zeros on this rank.
-double stored_bytes(Mat A);
 
 }  // namespace ritz::petsc

@@ -36,6 +36,8 @@ UNKNOWN = [
 SOLVERS = [
     bad("SLEPc's options beside the other solver", "-solver iterative -modes_eps_tol 1e-9", "-solver iterative", "-modes_eps_"),
     bad("a multigrid of another kind", "-multigrid_pc_type hypre", "-multigrid_pc_type", "gamg"),
+    bad("a smoother of the multigrid", "-multigrid_mg_levels_ksp_type richardson", "-multigrid_mg_levels_ksp_type",
+        "no effect"),
     bad("an eigensolver that is not there", "-modes_eps_type foo", "foo"),
     bad("a number of iterations in words", "-modes_eps_max_it many", "many"),
     bad("a linear solver that is not there", "-solve_ksp_type foo", "foo"),
