@@ -12,14 +12,14 @@
 namespace ritz::app {
 namespace {
 
-// Figures of MUMPS and of the Lanczos iteration measured on beams of 100k and 300k degrees of freedom
-// (benchmarks/modes).
+// Figures of MUMPS, of the Lanczos iteration and of LOBPCG measured on Tet10 and Tet4 beams of 100k and 300k degrees of
+// freedom (benchmarks/modes).
 constexpr double factor_efficiency = 0.5;    ///< of dgemm's rate, one rank
 constexpr double parallel_efficiency = 0.7;  ///< of a second, third ... rank
 constexpr double solve_passes = 5;           ///< readings of the factor that a block solve costs
 constexpr double columns_per_mode = 6;       ///< Lanczos columns a wanted pair
 constexpr double lobpcg_steps = 50;          ///< iterations
-constexpr double products_per_panel = 10;    ///< with K, for eight columns of the block, in one of them
+constexpr double products_per_panel = 14;    ///< with K, for eight columns of the block, in one of them
 constexpr double flops_per_row = 60;         ///< of the dense algebra in one of them, over the block's width squared
 constexpr double columns_per_column = 14;    ///< vectors in memory for each of the block
 constexpr double base_memory = 70e6;         ///< of a rank that holds nothing, bytes

@@ -6,17 +6,23 @@
 
 namespace ritz::petsc {
 
-/// This rank's rows in compressed form; columns are global and ascend within a row.
+/// Rows in compressed form; columns ascend within a row.
 struct Csr {
   std::vector<PetscInt> starts = {0};
   std::vector<PetscInt> columns;
   std::vector<PetscScalar> values;
 };
 
+/// This rank's rows of a square matrix, in two parts of as many rows: columns of this rank, counted from its first row,
+/// and columns of other ranks, global.
+struct Rows {
+  Csr own, other;
+};
+
 enum class Definite { semi, positive };
 
 /// A symmetric square matrix with `block` rows a vertex; the rows become its storage. *Collective*.
-Matrix symmetric_matrix(MPI_Comm comm, Csr rows, PetscInt block, Definite definite);
+Matrix symmetric_matrix(MPI_Comm comm, Rows rows, PetscInt block, Definite definite);
 
 /// The 3 x 3 identity, whole on rank 0: enough for a solver to be set up and so to read its options. *Collective*.
 Matrix tiny_identity(MPI_Comm comm);

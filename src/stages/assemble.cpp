@@ -14,57 +14,67 @@ namespace {
 /// K's rows, filled in place, and one number of M_s for each entry of the vertex graph.
 struct Sums {
   VertexGraph graph;
-  std::vector<PetscInt> offsets;  ///< of a graph entry: how many columns stand before it in each of its vertex's rows
-  petsc::Csr stiffness;
+  std::vector<PetscInt> offsets;  ///< of a graph entry: how many columns stand before it in its part of a vertex's row
+  petsc::Rows stiffness;
   std::vector<double> mass;
 };
 
-/// Goes through the free entries of each owned row in order: take(place, component of the row, of the column, column).
-template <class Take, class End>
-void each_free_entry(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const VertexGraph& graph, Take take, End end_row) {
-  for (int row = 0; row < mesh.owned; ++row)
-    for (int i = 0; i < mesh::components; ++i) {
-      if (dofs.fixed(row, i)) continue;
-      for (auto p = graph.starts[static_cast<std::size_t>(row)]; p < graph.starts[static_cast<std::size_t>(row) + 1];
-           ++p)
-        for (int j = 0; j < mesh::components; ++j)
-          if (!dofs.fixed(graph.columns[p], j)) take(p, i, j, dofs.number(graph.columns[p], j));
-      end_row();
-    }
+void append(std::vector<PetscInt>& to, const std::vector<PetscInt>& from) {
+  to.insert(to.end(), from.begin(), from.end());
 }
 
+bool own(const mesh::Mesh& mesh, int vertex) { return vertex < mesh.owned; }
+
+petsc::Csr& part(petsc::Rows& rows, const mesh::Mesh& mesh, int column) {
+  return own(mesh, column) ? rows.own : rows.other;
+}
+
+void end_row(petsc::Rows& rows) {
+  for (petsc::Csr* part : {&rows.own, &rows.other}) part->starts.push_back(static_cast<PetscInt>(part->columns.size()));
+}
+
+/// K's columns: the rows of a vertex have the same ones, which `vertex_rows` lists.
 Sums empty_sums(const mesh::Mesh& mesh, const mesh::Dofs& dofs) {
   Sums sums;
   sums.graph = vertex_graph(mesh);
   const auto entries = sums.graph.columns.size();
   sums.mass.assign(entries, 0);
-  sums.offsets.resize(entries);
-  sums.stiffness.columns.reserve(9 * entries);
-  for (std::size_t row = 0; row + 1 < sums.graph.starts.size(); ++row) {
-    PetscInt before = 0;
-    for (auto p = sums.graph.starts[row]; p < sums.graph.starts[row + 1]; ++p) {
-      sums.offsets[p] = before;
-      for (int j = 0; j < mesh::components; ++j) before += !dofs.fixed(sums.graph.columns[p], j);
+  sums.offsets.reserve(entries);
+  sums.stiffness.own.columns.reserve(9 * entries);
+  petsc::Rows vertex_rows;
+  for (int row = 0; row < mesh.owned; ++row) {
+    vertex_rows.own.columns.clear();
+    vertex_rows.other.columns.clear();
+    for (auto p = sums.graph.starts[static_cast<std::size_t>(row)];
+         p < sums.graph.starts[static_cast<std::size_t>(row) + 1]; ++p) {
+      const int column = sums.graph.columns[p];
+      auto& columns = part(vertex_rows, mesh, column).columns;
+      sums.offsets.push_back(static_cast<PetscInt>(columns.size()));
+      for (int j = 0; j < mesh::components; ++j)
+        if (!dofs.fixed(column, j))
+          columns.push_back(static_cast<PetscInt>(dofs.number(column, j) - (own(mesh, column) ? dofs.first : 0)));
+    }
+    for (int i = 0; i < mesh::components; ++i) {
+      if (dofs.fixed(row, i)) continue;
+      append(sums.stiffness.own.columns, vertex_rows.own.columns);
+      append(sums.stiffness.other.columns, vertex_rows.other.columns);
+      end_row(sums.stiffness);
     }
   }
-  each_free_entry(
-      mesh, dofs, sums.graph,
-      [&](std::size_t, int, int, mesh::Index column) {
-        sums.stiffness.columns.push_back(static_cast<PetscInt>(column));
-      },
-      [&] { sums.stiffness.starts.push_back(static_cast<PetscInt>(sums.stiffness.columns.size())); });
-  sums.stiffness.values.assign(sums.stiffness.columns.size(), 0);
+  for (petsc::Csr* part : {&sums.stiffness.own, &sums.stiffness.other}) part->values.assign(part->columns.size(), 0);
   return sums;
 }
 
 /// Adds the block of two vertices to the rows of the first.
-void add_block(Sums& sums, const mesh::Dofs& dofs, std::size_t place, int row, int column, const Eigen::Matrix3d& K) {
+void add_block(Sums& sums, const mesh::Mesh& mesh, const mesh::Dofs& dofs, std::size_t place, int row, int column,
+               const Eigen::Matrix3d& K) {
+  petsc::Csr& to = part(sums.stiffness, mesh, column);
   for (int i = 0; i < mesh::components; ++i) {
     if (dofs.fixed(row, i)) continue;
     const auto local = static_cast<std::size_t>(dofs.number(row, i) - dofs.first);
-    auto at = static_cast<std::size_t>(sums.stiffness.starts[local] + sums.offsets[place]);
+    auto at = static_cast<std::size_t>(to.starts[local] + sums.offsets[place]);
     for (int j = 0; j < mesh::components; ++j)
-      if (!dofs.fixed(column, j)) sums.stiffness.values[at++] += K(i, j);
+      if (!dofs.fixed(column, j)) to.values[at++] += K(i, j);
   }
 }
 
@@ -81,7 +91,7 @@ void add_cell(Sums& sums, const mesh::Mesh& mesh, const mesh::Dofs& dofs, int ce
     for (int b = 0; b < E::vertices; ++b) {
       const int column = vertices[static_cast<std::size_t>(b)];
       const auto place = sums.graph.place(mesh.global, row, column);
-      add_block(sums, dofs, place, row, column, K.template block<3, 3>(3 * a, 3 * b));
+      add_block(sums, mesh, dofs, place, row, column, K.template block<3, 3>(3 * a, 3 * b));
       sums.mass[place] += M(a, b);
     }
   }
@@ -95,28 +105,41 @@ void add_cells(Sums& sums, const mesh::Mesh& mesh, const mesh::Dofs& dofs, const
   }
 }
 
-petsc::Matrix mass_matrix(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Sums& sums) {
-  petsc::Csr csr;
-  csr.columns.reserve(3 * sums.mass.size());
-  csr.values.reserve(3 * sums.mass.size());
-  each_free_entry(
-      mesh, dofs, sums.graph,
-      [&](std::size_t p, int i, int j, mesh::Index column) {
-        if (i != j) return;
-        csr.columns.push_back(static_cast<PetscInt>(column));
-        csr.values.push_back(sums.mass[p]);
-      },
-      [&] { csr.starts.push_back(static_cast<PetscInt>(csr.columns.size())); });
-  return petsc::symmetric_matrix(mesh.comm, std::move(csr), dofs.block, petsc::Definite::positive);
+/// A row of the masses of `row` and its neighbours; number(column): global, or negative where there is none.
+template <class Number>
+void append_mass(petsc::Rows& rows, const mesh::Mesh& mesh, const Sums& sums, int row, mesh::Index first,
+                 Number number) {
+  for (auto p = sums.graph.starts[static_cast<std::size_t>(row)];
+       p < sums.graph.starts[static_cast<std::size_t>(row) + 1]; ++p) {
+    const int column = sums.graph.columns[p];
+    const mesh::Index n = number(column);
+    if (n < 0) continue;
+    petsc::Csr& to = part(rows, mesh, column);
+    to.columns.push_back(static_cast<PetscInt>(n - (own(mesh, column) ? first : 0)));
+    to.values.push_back(sums.mass[p]);
+  }
+  end_row(rows);
 }
 
-petsc::Matrix scalar_mass_matrix(const mesh::Mesh& mesh, Sums& sums) {
-  petsc::Csr csr;
-  csr.values = std::move(sums.mass);
-  for (const int v : sums.graph.columns)
-    csr.columns.push_back(static_cast<PetscInt>(mesh.global[static_cast<std::size_t>(v)]));
-  csr.starts.assign(sums.graph.starts.begin(), sums.graph.starts.end());
-  return petsc::symmetric_matrix(mesh.comm, std::move(csr), 1, petsc::Definite::positive);
+petsc::Rows mass_rows(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Sums& sums) {
+  petsc::Rows rows;
+  rows.own.columns.reserve(mesh::components * sums.mass.size());
+  rows.own.values.reserve(mesh::components * sums.mass.size());
+  for (int row = 0; row < mesh.owned; ++row)
+    for (int i = 0; i < mesh::components; ++i)
+      if (!dofs.fixed(row, i))
+        append_mass(rows, mesh, sums, row, dofs.first, [&](int column) { return dofs.number(column, i); });
+  return rows;
+}
+
+petsc::Rows scalar_mass_rows(const mesh::Mesh& mesh, const Sums& sums) {
+  petsc::Rows rows;
+  rows.own.columns.reserve(sums.mass.size());
+  rows.own.values.reserve(sums.mass.size());
+  for (int row = 0; row < mesh.owned; ++row)
+    append_mass(rows, mesh, sums, row, mesh.first,
+                [&](int column) { return mesh.global[static_cast<std::size_t>(column)]; });
+  return rows;
 }
 
 }  // namespace
@@ -126,9 +149,10 @@ Full assemble(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const std::vector<
   add_cells(sums, mesh, dofs, materials);
   Full full;
   full.materials = materials;
+  const auto positive = petsc::Definite::positive;
   full.stiffness = petsc::symmetric_matrix(mesh.comm, std::move(sums.stiffness), dofs.block, petsc::Definite::semi);
-  full.mass = mass_matrix(mesh, dofs, sums);
-  full.scalar_mass = scalar_mass_matrix(mesh, sums);
+  full.mass = petsc::symmetric_matrix(mesh.comm, mass_rows(mesh, dofs, sums), dofs.block, positive);
+  full.scalar_mass = petsc::symmetric_matrix(mesh.comm, scalar_mass_rows(mesh, sums), 1, positive);
   return full;
 }
 

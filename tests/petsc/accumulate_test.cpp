@@ -12,7 +12,7 @@ using namespace test;
 
 TEST(Accumulate, AddsWhatAllRanksGive) {
   constexpr PetscInt n = 12;
-  const Rows rows = my_rows(n);
+  const Share rows = my_rows(n);
   const int me = parallel::rank(world), ranks = parallel::size(world);
   std::vector<std::int64_t> numbers;  // each rank gives to all rows, and twice to row 0
   for (PetscInt i = n - 1; i >= 0; --i) numbers.push_back(i);
@@ -31,7 +31,7 @@ TEST(Accumulate, AddsWhatAllRanksGive) {
 }
 
 TEST(Accumulate, TakesRanksThatGiveNothing) {
-  const Rows rows = my_rows(3);
+  const Share rows = my_rows(3);
   const std::vector<std::int64_t> numbers(parallel::rank(world) == 0 ? 1 : 0, 2);
   const Tall sums =
       accumulate(world, numbers, Tall::Constant(static_cast<Eigen::Index>(numbers.size()), 1, 5.0), rows.count);

@@ -15,11 +15,11 @@ namespace ritz::petsc::test {
 
 inline const MPI_Comm world = MPI_COMM_WORLD;
 
-struct Rows {
+struct Share {
   PetscInt first, count, total;
 };
 
-inline Rows my_rows(PetscInt total) {
+inline Share my_rows(PetscInt total) {
   const int rank = parallel::rank(world), ranks = parallel::size(world);
   if (ranks == 3) return {rank == 0 ? 0 : total / 3, rank == 0 ? total / 3 : rank == 1 ? 0 : total - total / 3, total};
   const PetscInt first = total * rank / ranks;
@@ -28,16 +28,19 @@ inline Rows my_rows(PetscInt total) {
 
 /// tridiag(off, diagonal, off).
 inline Matrix tridiagonal(PetscInt total, double diagonal, double off) {
-  const Rows rows = my_rows(total);
-  Csr csr;
+  const Share rows = my_rows(total);
+  Rows parts;
   for (PetscInt i = rows.first; i < rows.first + rows.count; ++i) {
     for (PetscInt j = std::max(0, i - 1); j <= std::min(total - 1, i + 1); ++j) {
-      csr.columns.push_back(j);
-      csr.values.push_back(i == j ? diagonal : off);
+      const bool own = j >= rows.first && j < rows.first + rows.count;
+      Csr& part = own ? parts.own : parts.other;
+      part.columns.push_back(own ? j - rows.first : j);
+      part.values.push_back(i == j ? diagonal : off);
     }
-    csr.starts.push_back(static_cast<PetscInt>(csr.columns.size()));
+    parts.own.starts.push_back(static_cast<PetscInt>(parts.own.columns.size()));
+    parts.other.starts.push_back(static_cast<PetscInt>(parts.other.columns.size()));
   }
-  return symmetric_matrix(world, std::move(csr), 1, Definite::positive);
+  return symmetric_matrix(world, std::move(parts), 1, Definite::positive);
 }
 
 inline double chain_eigenvalue(PetscInt total, int j) {
@@ -60,7 +63,7 @@ inline Eigen::MatrixXd whole_random(PetscInt total, int columns, std::uint64_t s
 }
 
 inline Tall my_part(const Eigen::MatrixXd& whole) {
-  const Rows rows = my_rows(static_cast<PetscInt>(whole.rows()));
+  const Share rows = my_rows(static_cast<PetscInt>(whole.rows()));
   return whole.middleRows(rows.first, rows.count);
 }
 

@@ -49,7 +49,7 @@ std::vector<std::int64_t> reversed() {
 /// K with numbers that tell its entries apart.
 Matrix labelled(Eigen::MatrixXd& whole) {
   Matrix A = tridiagonal(n, 2, -1);
-  const Rows rows = my_rows(n);
+  const Share rows = my_rows(n);
   const auto value = [](PetscInt i, PetscInt j) { return 1.0 / 3 + 100 * std::min(i, j) + std::max(i, j); };
   whole.setZero(n, n);
   for (PetscInt i = 0; i < n; ++i)
