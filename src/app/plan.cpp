@@ -19,9 +19,9 @@ constexpr double parallel_efficiency = 0.7;  ///< of a second, third ... rank
 constexpr double solve_passes = 5;           ///< readings of the factor that a block solve costs
 constexpr double columns_per_mode = 6;       ///< Lanczos columns a wanted pair
 constexpr double lobpcg_steps = 50;          ///< iterations
-constexpr double products_per_panel = 14;    ///< with K, for eight columns of the block, in one of them
+constexpr double products_per_panel = 16;    ///< with K, for eight columns of the block, in one of them
 constexpr double flops_per_row = 60;         ///< of the dense algebra in one of them, over the block's width squared
-constexpr double columns_per_column = 14;    ///< vectors in memory for each of the block
+constexpr double columns_per_column = 20;    ///< vectors in memory for each of the block
 constexpr double base_memory = 70e6;         ///< of a rank that holds nothing, bytes
 constexpr double memory_share = 0.8;         ///< of the free memory that the direct strategy may take
 
