@@ -12,6 +12,10 @@ void check_fit(const ModelReader& in, const model::Body& body) {
     fail(in, group(schema::basis), "does not have the vertices of the geometry");
   if (body.inertia && body.inertia->gram.rows() != 4 + 3 * r)
     fail(in, group(schema::inertia), "does not have the columns of the basis");
+  if (body.reduction && body.reduction->stiffness.size() != r)
+    fail(in, group(schema::reduction), "does not have the columns of the basis");
+  if (body.polynomial && body.polynomial->r != r)
+    fail(in, group(schema::polynomial), "does not have the columns of the basis");
   for (const auto& load : body.loads)
     if (load.total.rows() != r) fail(in, group(schema::loads), "does not have the columns of the basis");
 }
@@ -26,6 +30,8 @@ void write(const std::filesystem::path& path, const model::Model& model) {
   write_geometry(out, body.geometry, slices, body.name);
   write_basis(out, body.basis, {0, body.basis.U.rows() / 3}, body.name);
   if (body.modes) write_modes(out, *body.modes, body.name);
+  if (body.reduction) write_reduction(out, *body.reduction, body.name);
+  if (body.polynomial) write_polynomial(out, *body.polynomial, body.name);
   if (body.inertia) write_inertia(out, *body.inertia, body.name);
   write_loads(out, body.loads, body.name);
   write_report(out, model.report);
@@ -41,6 +47,8 @@ model::Model read(const ModelReader& in) {
   body.geometry = read_geometry(in, body.name);
   body.basis = read_basis(in, {}, body.name);
   body.modes = read_modes(in, body.name);
+  body.reduction = read_reduction(in, body.name);
+  body.polynomial = read_polynomial(in, body.name);
   body.inertia = read_inertia(in, body.name);
   body.loads = read_loads(in, body.name);
   check_fit(in, body);

@@ -75,6 +75,15 @@ void write_modes(ModelWriter& out, const model::Modes& modes, std::string_view b
 /// Absent when the model has no such part.
 std::optional<model::Modes> read_modes(const ModelReader& in, std::string_view body = schema::default_body);
 
+void write_reduction(ModelWriter& out, const model::Reduction& reduction, std::string_view body = schema::default_body);
+/// Absent when the model has no such part: its basis is its modes.
+std::optional<model::Reduction> read_reduction(const ModelReader& in, std::string_view body = schema::default_body);
+
+void write_polynomial(ModelWriter& out, const model::Polynomial& polynomial,
+                      std::string_view body = schema::default_body);
+/// Absent when the model has no such part.
+std::optional<model::Polynomial> read_polynomial(const ModelReader& in, std::string_view body = schema::default_body);
+
 void write_inertia(ModelWriter& out, const model::Inertia& inertia, std::string_view body = schema::default_body);
 /// Absent when the model has no such part.
 std::optional<model::Inertia> read_inertia(const ModelReader& in, std::string_view body = schema::default_body);

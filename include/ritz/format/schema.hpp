@@ -10,7 +10,7 @@ namespace ritz::format::schema {
 
 inline constexpr std::string_view format_name = "ritz-model";
 inline constexpr int major = 1;  ///< raised when an older reader would misread the file
-inline constexpr int minor = 0;  ///< raised when something is added that an older reader may ignore
+inline constexpr int minor = 1;  ///< raised when something is added that an older reader may ignore
 
 // Attributes of the root.
 inline constexpr auto format = "format";
@@ -28,6 +28,8 @@ inline constexpr std::string_view vtkhdf = "/VTKHDF";
 inline constexpr std::string_view geometry = "geometry";
 inline constexpr std::string_view basis = "basis";
 inline constexpr std::string_view modes = "modes";
+inline constexpr std::string_view reduction = "reduction";
+inline constexpr std::string_view polynomial = "polynomial";
 inline constexpr std::string_view inertia = "inertia";
 inline constexpr std::string_view loads = "loads";
 inline constexpr std::string_view default_body = "body";
@@ -74,6 +76,16 @@ inline constexpr auto certified = "certified";
 inline constexpr auto shift = "shift";
 inline constexpr auto counted = "counted";
 inline constexpr auto found = "found";
+
+// reduction
+inline constexpr auto stiffness = "stiffness";
+inline constexpr auto singular_values = "singular_values";
+inline constexpr auto discarded = "discarded";
+
+// polynomial
+inline constexpr auto quadratic = "quadratic";
+inline constexpr auto cubic = "cubic";
+inline constexpr auto quartic = "quartic";
 
 // inertia
 inline constexpr auto origin = "origin";

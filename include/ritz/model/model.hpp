@@ -64,7 +64,7 @@ struct Certificate {
   std::int64_t found = 0;    ///< eigenvalues below σ that were computed
 };
 
-/// The modes of Kψ = λMψ (Eq. 1) in ascending order, rigid ones first. Column i of U is mode i of a linear model.
+/// The modes of Kψ = λMψ (Eq. 1) in ascending order, rigid ones first. Without a Reduction, column i of U is mode i.
 struct Modes {
   Eigen::VectorXd eigenvalues;  ///< λ = ω², rad²/s²; 0 for a rigid mode
   Eigen::VectorXd energies;   ///< the Rayleigh quotient ψᵀKψ/ψᵀMψ as computed (tells how rigid a rigid mode is)
@@ -102,12 +102,30 @@ struct SetLoad {
   Eigen::MatrixXd traction;   ///< r x 3: a unit traction along x, y, z
 };
 
-/// The linear part: a diagonal reduced stiffness, Eq. 3.
+/// Where the basis of a model with modal derivatives or snapshots comes from (Eqs. 12, 18). Absent: U is the modes.
+struct Reduction {
+  Eigen::VectorXd stiffness;        ///< diagonal of UᵀKU, which has no other entries; ascending, rad²/s²
+  Eigen::VectorXd singular_values;  ///< σ of the set that U was cut from, in the M-norm, descending; the first r kept
+  double discarded = 0;  ///< √(Σσ² of all that U leaves out), a bound for what was never computed included; as σ
+};
+
+/// The StVK energy over U (Sec. 3.1), exact for the elements' quadrature rules:
+/// Ẽ(z) = ½ A_ij z_i z_j + ⅙ B_ijk z_i z_j z_k + 1/24 C_ijkl z_i z_j z_k z_l, with A, B, C fully symmetric (the second,
+/// third and fourth derivatives of Ẽ at rest). Each is stored once: i ≤ j ≤ k ≤ l in lexicographic order.
+struct Polynomial {
+  Eigen::Index r = 0;
+  Eigen::VectorXd quadratic;  ///< A, r(r+1)/2 numbers, 1/s²
+  Eigen::VectorXd cubic;      ///< B, C(r+2, 3) numbers, 1/(s² m √kg)
+  Eigen::VectorXd quartic;    ///< C, C(r+3, 4) numbers, 1/(s² m² kg)
+};
+
 struct Body {
   std::string name = "body";
   Geometry geometry;
   Basis basis;
   std::optional<Modes> modes;
+  std::optional<Reduction> reduction;
+  std::optional<Polynomial> polynomial;
   std::optional<Inertia> inertia;
   std::vector<SetLoad> loads;
 };

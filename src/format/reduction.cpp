@@ -1,0 +1,32 @@
+#include "read.hpp"
+#include "ritz/format/parts.hpp"
+#include "write.hpp"
+
+namespace ritz::format {
+
+namespace {
+
+std::span<const double> view(const Eigen::VectorXd& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
+
+}  // namespace
+
+void write_reduction(ModelWriter& out, const model::Reduction& reduction, std::string_view body) {
+  const auto group = schema::body_part(body, schema::reduction);
+  create_group(out, group);
+  write_vector<double>(out, schema::join(group, schema::stiffness), "rad^2/s^2", view(reduction.stiffness));
+  write_vector<double>(out, schema::join(group, schema::singular_values), "mixed, as Eq. 18",
+                       view(reduction.singular_values));
+  write_attribute(out, group, schema::discarded, reduction.discarded);
+}
+
+std::optional<model::Reduction> read_reduction(const ModelReader& in, std::string_view body) {
+  const auto group = schema::body_part(body, schema::reduction);
+  if (!exists(in, group)) return {};
+  model::Reduction reduction;
+  reduction.stiffness = read_column(in, schema::join(group, schema::stiffness));
+  reduction.singular_values = read_column(in, schema::join(group, schema::singular_values));
+  reduction.discarded = read_double(in, group, schema::discarded);
+  return reduction;
+}
+
+}  // namespace ritz::format

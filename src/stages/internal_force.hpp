@@ -1,0 +1,22 @@
+// The full model's StVK force at any displacement.
+#pragma once
+#include <vector>
+
+#include "ritz/fem/material.hpp"
+#include "ritz/mesh/mesh.hpp"
+#include "ritz/petsc/multivector.hpp"
+
+namespace ritz::stages {
+
+/// Energies and internal forces of the full model.
+struct InternalForces {
+  Eigen::VectorXd energies;  ///< J, of the whole body, one a column
+  petsc::Tall forces;        ///< dE/du, N, rows of owned vertices, 3 a vertex, at fixed components too
+};
+
+/// By the elements' own rule, for each column of `u` (m, rows of owned vertices, 3 a vertex). Each rank sums the
+/// complete rows of its vertices from its own and its halo's cells, in the file's order. *Collective*.
+InternalForces internal_forces(const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials,
+                               const petsc::ConstTallRef& u);
+
+}  // namespace ritz::stages
