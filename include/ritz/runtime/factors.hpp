@@ -1,0 +1,27 @@
+// The r x r systems of a nonlinear step.
+#pragma once
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+#include "ritz/runtime/forces.hpp"
+
+namespace ritz::runtime {
+
+/// A symmetric matrix, factored by Cholesky's method or, where that fails, by pivoted LU.
+template <class Scalar>
+struct Factors {
+  Eigen::LLT<Matrix<Scalar>> cholesky;
+  Eigen::PartialPivLU<Matrix<Scalar>> lu;
+  bool definite = true;
+};
+
+template <class Scalar>
+Factors<Scalar> make_factors(Eigen::Index r);
+/// Does not allocate.
+template <class Scalar>
+void factor(const Matrix<Scalar>& matrix, Factors<Scalar>& factors);
+/// x := matrix⁻¹ x. Does not allocate.
+template <class Scalar>
+void solve_in_place(const Factors<Scalar>& factors, Vector<Scalar>& x);
+
+}  // namespace ritz::runtime
