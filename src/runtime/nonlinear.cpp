@@ -3,14 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rigid_stiffness.hpp"
+
 namespace ritz::runtime {
-namespace {
-
-/// Stiffness below this fraction of the largest is the rounding of a rigid motion's.
-constexpr double rigid_stiffness = 1e-10;
-
-}  // namespace
-
 template <class Scalar>
 NonlinearModel<Scalar> make_nonlinear_model(const model::Polynomial& polynomial, const Damping& damping) {
   NonlinearModel<Scalar> model{.forces = make_forces<Scalar>(polynomial), .damping = {}};

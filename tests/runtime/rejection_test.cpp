@@ -54,7 +54,7 @@ TEST(Rejection, OfWhatIsNotFinite) {
     auto motion = test::start(test::random_polynomial(4), method, 0.1, VectorXd::Ones(4), 1);
     motion.step();
     const auto before = motion.state;
-    for (const double bad : {infinite, -infinite, std::numeric_limits<double>::quiet_NaN(), 1e308}) {
+    for (const double bad : {infinite, -infinite, std::numeric_limits<double>::quiet_NaN()}) {
       const VectorXd load = VectorXd::Constant(4, bad);
       const auto outcome = step(motion.model, motion.state, {load, load}, 0.1, motion.workspace);
       EXPECT_NE(outcome.status, Status::done) << method.name << bad;

@@ -1,7 +1,7 @@
 // The r x r systems of a nonlinear step.
 #pragma once
 #include <Eigen/Cholesky>
-#include <Eigen/LU>
+#include <vector>
 
 #include "ritz/runtime/forces.hpp"
 
@@ -11,7 +11,8 @@ namespace ritz::runtime {
 template <class Scalar>
 struct Factors {
   Eigen::LLT<Matrix<Scalar>> cholesky;
-  Eigen::PartialPivLU<Matrix<Scalar>> lu;
+  Matrix<Scalar> lu;               ///< L below the diagonal, U on and above it
+  std::vector<Eigen::Index> swaps;  ///< the row that was exchanged with each
   bool definite = true;
 };
 
