@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ritz/base/error.hpp"
 #include "rigid_stiffness.hpp"
+#include "ritz/base/error.hpp"
 
 namespace ritz::runtime {
 

@@ -46,7 +46,8 @@ Cost run_analysis(const RunOptions& options, const scene::Scene& scene, const mo
   const auto* time = std::get_if<scene::Time>(&scene.analysis);
   if (body.polynomial)
     return time ? run_nonlinear_transient(scene, *time, body, options.precision, recorder, progress)
-                : run_nonlinear_statics(scene, std::get<scene::Static>(scene.analysis), body, options.precision, recorder);
+                : run_nonlinear_statics(scene, std::get<scene::Static>(scene.analysis), body, options.precision,
+                                        recorder);
   if (options.precision == Precision::single)
     throw InputError("--single is for nonlinear models, and this one has no polynomial: leave it out");
   return time ? run_transient(scene, *time, body, recorder, progress)

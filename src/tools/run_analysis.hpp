@@ -17,7 +17,7 @@ struct Cost {
   double seconds = 0;
   std::int64_t iterations = 0;  ///< Newton's, of nonlinear models
   std::int64_t rejected = 0;    ///< steps that did not converge and were halved
-  std::string warning;          ///< a sentence, or nothing
+  std::string warning = {};     ///< a sentence, or nothing
 };
 
 /// From rest at t = 0 to the scene's end. Throws NumericalError when a step is not finite.

@@ -15,7 +15,8 @@ Part required(std::optional<Part> part, const format::ModelReader& in, const std
 
 void fit(Eigen::Index got, Eigen::Index wanted, const format::ModelReader& in, const std::string& part) {
   if (got != wanted)
-    throw InputError(in.name() + " is damaged: its " + part + " do not fit its " + std::to_string(wanted) + " coordinates");
+    throw InputError(in.name() + " is damaged: its " + part + " do not fit its " + std::to_string(wanted) +
+                     " coordinates");
 }
 
 /// Whether any load or probe acts on a single vertex (or, else, on a named set).

@@ -14,9 +14,7 @@ namespace {
 using Eigen::VectorXd;
 
 /// Uniaxial strain of StVK with modulus 1: P = ½ λ (λ² − 1), λ = 1 + z. Its limit point under pressure is at 1/√3.
-model::Polynomial bar() {
-  return {1, VectorXd::Constant(1, 1), VectorXd::Constant(1, 3), VectorXd::Constant(1, 3)};
-}
+model::Polynomial bar() { return {1, VectorXd::Constant(1, 1), VectorXd::Constant(1, 3), VectorXd::Constant(1, 3)}; }
 
 TEST(NonlinearStatics, AreTheClosedFormOfABar) {
   const auto model = make_nonlinear_model<double>(bar(), {});

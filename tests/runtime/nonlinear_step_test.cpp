@@ -141,7 +141,7 @@ TEST(NonlinearStep, LinearisationIsTheDerivativeOfTheResidual) {
 template <std::size_t which>
 void compare_precisions() {
   const auto polynomial = test::random_polynomial(4, 10);
-  const Damping damping{.alpha = 0.05, .beta = 0.002, .ratio = {}};
+  const Damping damping{.alpha = 0.1, .beta = 0.002, .ratio = {}};
   const VectorXd z = some(4, 0.1);
   auto wide = test::start(polynomial, test::implicit_methods<double>()[which], 0.1, z, 0.05, damping);
   auto narrow = test::start(polynomial, test::implicit_methods<float>()[which], 0.1, z, 0.05, damping);
