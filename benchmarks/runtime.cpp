@@ -7,7 +7,8 @@
 #include <chrono>
 #include <random>
 
-#include "ritz/runtime/forces.hpp"
+#include "ritz/runtime/forces_batch.hpp"
+#include "ritz/runtime/nonlinear_step.hpp"
 
 extern "C" void dsymv_(const char* uplo, const int* n, const double* alpha, const double* A, const int* lda,
                        const double* x, const int* incx, const double* beta, double* y, const int* incy);
@@ -78,6 +79,54 @@ void evaluation(benchmark::State& state) {
 }
 BENCHMARK(evaluation<double>)->Arg(20)->Arg(30)->Arg(40)->Arg(60);
 BENCHMARK(evaluation<float>)->Arg(20)->Arg(30)->Arg(40)->Arg(60);
+
+void sixteen_instances(benchmark::State& state) {
+  const Eigen::Index r = state.range(0), instances = 16;
+  const auto forces = make_forces<double>(random_polynomial(r));
+  auto single = make_evaluation(forces);
+  auto batch = make_batch_evaluation(forces, instances);
+  const Eigen::MatrixXd z = Eigen::MatrixXd::Random(r, instances);
+  Fastest together, apart;
+  for (auto _ : state) {
+    together.turn(1, [&] { evaluate_batch(forces, z, batch); });
+    apart.turn(1, [&] {
+      for (Eigen::Index i = 0; i < instances; ++i) evaluate(forces, z.col(i), single);
+    });
+  }
+  state.counters["us"] = together.microseconds / instances;
+  state.counters["single_us"] = apart.microseconds / instances;
+  state.counters["ratio"] = together.microseconds / apart.microseconds;
+}
+BENCHMARK(sixteen_instances)->Arg(20)->Arg(30)->Arg(40);
+
+/// A step of implicit Euler against the evaluations and factorizations that it made, measured by themselves.
+void implicit_step(benchmark::State& state) {
+  const Eigen::Index r = state.range(0);
+  auto polynomial = random_polynomial(r);
+  polynomial.quadratic *= 1e-3;
+  const auto model = make_nonlinear_model<double>(polynomial, {});
+  const auto method = nonlinear_implicit_euler<double>();
+  const double dt = 0.05;
+  auto workspace = make_workspace(model, method, dt);
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(r), load = Eigen::VectorXd::Ones(r);
+  const auto start = make_state<double>(model, method.history, rest, rest, load);
+  auto moving = start;
+  NonlinearOutcome outcome;
+  Fastest whole, evaluating, factoring;
+  const Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(r, r) * 400;
+  for (auto _ : state) {
+    moving = start;
+    whole.turn(1, [&] { outcome = step<double>(model, moving, {load, load}, dt, workspace); });
+    evaluating.turn(1, [&] { evaluate(model.forces, moving.z(), workspace.at_point); });
+    factoring.turn(1, [&] { factor(matrix, workspace.factors); });
+  }
+  const double parts = outcome.evaluations * evaluating.microseconds + outcome.iterations * factoring.microseconds;
+  state.counters["us"] = whole.microseconds;
+  state.counters["iterations"] = outcome.iterations;
+  state.counters["rejected"] = outcome.rejected;
+  state.counters["ratio"] = whole.microseconds / parts;
+}
+BENCHMARK(implicit_step)->Arg(20)->Arg(30)->Arg(40)->Arg(60);
 
 }  // namespace
 }  // namespace ritz::runtime

@@ -40,6 +40,27 @@ RITZ_INLINE void multiply(Index pairs, const Scalar* tiles, const Scalar* x, Sca
   for (Index row = 0; row < pairs; row += tile_rows) tiles = multiply_group<vectors>(row, pairs, tiles, x, y);
 }
 
+/// Each coefficient serves one instance a lane: no sums across a register, and x and y stay in the nearest cache.
+template <class Scalar>
+RITZ_INLINE void multiply_lanes(Index pairs, const Scalar* tiles, const Scalar* x, Scalar* y) {
+  constexpr Index width = lanes<Scalar>;
+  const auto* from = packs(x);
+  auto* to = packs(y);
+  for (Index row = 0; row < pairs; row += tile_rows) {
+    Pack<Scalar> dot[tile_rows] = {}, factor[tile_rows];
+    for (int q = 0; q < tile_rows; ++q) factor[q] = from[row + q];
+    for (Index column = row / width * width; column < pairs; column += width, tiles += tile_rows * width)
+      for (Index e = 0; e < width; ++e) {
+        const Scalar* c = tiles + e;
+        const auto here = from[column + e];
+        for (int q = 0; q < tile_rows; ++q) dot[q] += c[q * width] * here;
+        to[column + e] +=
+            (c[0] * factor[0] + c[width] * factor[1]) + (c[2 * width] * factor[2] + c[3 * width] * factor[3]);
+      }
+    for (int q = 0; q < tile_rows; ++q) to[row + q] += dot[q];
+  }
+}
+
 /// Four columns at a time, so that y is loaded and stored once for four.
 template <class Scalar>
 RITZ_INLINE void multiply_by_columns(Index pairs, Index r, const Scalar* M, const Scalar* z, Scalar* y) {
@@ -66,6 +87,12 @@ RITZ_WIDE void multiply_symmetric_twice(Index pairs, const double* tiles, const 
 }
 RITZ_WIDE void multiply_symmetric_twice(Index pairs, const float* tiles, const float* x, float* y) {
   multiply<2>(pairs, tiles, x, y);
+}
+RITZ_WIDE void multiply_symmetric_lanes(Index pairs, const double* tiles, const double* x, double* y) {
+  multiply_lanes(pairs, tiles, x, y);
+}
+RITZ_WIDE void multiply_symmetric_lanes(Index pairs, const float* tiles, const float* x, float* y) {
+  multiply_lanes(pairs, tiles, x, y);
 }
 RITZ_WIDE void multiply_columns(Index pairs, Index r, const double* M, const double* z, double* y) {
   multiply_by_columns(pairs, r, M, z, y);

@@ -15,6 +15,10 @@ void multiply_symmetric(std::ptrdiff_t pairs, const float* tiles, const float* x
 void multiply_symmetric_twice(std::ptrdiff_t pairs, const double* tiles, const double* x, double* y);
 void multiply_symmetric_twice(std::ptrdiff_t pairs, const float* tiles, const float* x, float* y);
 
+/// The same for as many vectors as a register has numbers, which stand side by side: x and y are `pairs` registers.
+void multiply_symmetric_lanes(std::ptrdiff_t pairs, const double* tiles, const double* x, double* y);
+void multiply_symmetric_lanes(std::ptrdiff_t pairs, const float* tiles, const float* x, float* y);
+
 /// y += M z, M of `pairs` x r column by column.
 void multiply_columns(std::ptrdiff_t pairs, std::ptrdiff_t r, const double* M, const double* z, double* y);
 void multiply_columns(std::ptrdiff_t pairs, std::ptrdiff_t r, const float* M, const float* z, float* y);

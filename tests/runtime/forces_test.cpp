@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "ritz/base/error.hpp"
+#include "ritz/runtime/forces_batch.hpp"
 #include "support/sample_polynomial.hpp"
 
 namespace ritz::runtime {
@@ -87,6 +88,29 @@ TEST(Forces, InSinglePrecision) {
     EXPECT_LE((result.force.cast<double>() - expected.force).norm(), 1e-5 * expected.force.norm()) << r;
     EXPECT_LE((result.tangent.cast<double>() - expected.tangent).norm(), 1e-5 * expected.tangent.norm()) << r;
   }
+}
+
+template <class Scalar>
+void expect_batch_is_single(double tolerance) {
+  for (const auto r : sizes) {
+    const auto forces = make_forces<Scalar>(test::random_polynomial(r));
+    const Eigen::Index instances = 11;
+    auto batch = make_batch_evaluation(forces, instances);
+    auto single = make_evaluation(forces);
+    const Matrix<Scalar> z = Matrix<Scalar>::Random(r, instances);
+    evaluate_batch(forces, z, batch);
+    for (Eigen::Index i = 0; i < instances; ++i) {
+      evaluate(forces, z.col(i), single);
+      EXPECT_NEAR(batch.energy[i], single.energy, tolerance * single.energy) << r;
+      EXPECT_LE((batch.force.col(i) - single.force).norm(), tolerance * single.force.norm()) << r;
+      EXPECT_LE((batch.tangents.middleCols(i * r, r) - single.tangent).norm(), tolerance * single.tangent.norm()) << r;
+    }
+  }
+}
+
+TEST(Forces, OfABatchAreThoseOfEach) {
+  expect_batch_is_single<double>(1e-13);
+  expect_batch_is_single<float>(1e-5);
 }
 
 TEST(Forces, MeanAlongAStepDoesTheWorkOfTheEnergy) {

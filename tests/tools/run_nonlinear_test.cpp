@@ -17,7 +17,12 @@ const std::string probe = "[[probe]]\nname = 'p'\nset = 'tip'\n";
 /// u_z of the tip is z₂/√2 and its total force along z is √2 f.
 const double root2 = std::sqrt(2.0);
 
-std::string load(double total) { return "[[load]]\nset = 'tip'\ntotal = [0, 0, " + std::to_string(total) + "]\n"; }
+std::string load(double total) {
+  std::ostringstream text;
+  text.precision(17);
+  text << "[[load]]\nset = 'tip'\ntotal = [0, 0, " << total << "]\n";
+  return text.str();
+}
 
 /// The Duffing oscillator under a constant force from rest, by many small steps of a Runge-Kutta method.
 double duffing_at(double t, double force) {
