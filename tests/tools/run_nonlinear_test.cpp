@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ritz/base/error.hpp"
+#include "ritz/tools/run_energy.hpp"
 #include "support/nonlinear_sample_model.hpp"
 #include "tools/run_support.hpp"
 
@@ -99,10 +100,22 @@ TEST(RunNonlinear, AReductionWithoutAPolynomialIsLinear) {
     EXPECT_NEAR(row[3], 1 - std::cos(3 * row[0]), 1e-13);
 }
 
+TEST(RunNonlinear, EnergyIsComparedWithTheWork) {
+  EnergyWatch watch(0);
+  watch.add_work(2);
+  watch.look(1, 2.15);
+  EXPECT_EQ(watch.warning("newmark"), "");
+  watch.add_work(-1);
+  watch.look(2, 1.15);
+  EXPECT_EQ(watch.warning("newmark"), "");
+  watch.look(3, 1.5);
+  EXPECT_THAT(watch.warning("newmark"), HasSubstr("from t = 3 s on the motion gained energy without work, up to 25 %"));
+}
+
 TEST(RunNonlinear, WarnsOfEnergyFromNowhere) {
   const std::string scene =
-      "[time]\nstep = 0.5\nend = 1000\nintegrator = 'newmark'\n[[load]]\nset = 'tip'\n"
-      "total = [0, 0, 300]\ntable = [[0, 1], [0.5, 1], [1, 0]]\n";
+      "[time]\nstep = 0.2\nend = 80\nintegrator = 'newmark'\n[[load]]\nset = 'tip'\n"
+      "total = [0, 0, 424]\ntable = [[0, 1], [0.2, 1], [0.4, 0]]\n";
   const test::RunFolder folder;
   EXPECT_THAT(test::run(folder.prepare(scene, test::nonlinear_sample_model())),
               HasSubstr("gained energy without work"));
