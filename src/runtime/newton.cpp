@@ -31,9 +31,9 @@ Scalar evaluate_residual(const NonlinearModel<Scalar>& model, const NonlinearSta
 template <class Scalar>
 void assemble_jacobian(const NonlinearModel<Scalar>& model, NonlinearWorkspace<Scalar>& workspace) {
   const auto& equation = workspace.equation;
-  if (takes_mean(workspace)) workspace.jacobian = equation.share * workspace.mean.tangent;
-  else workspace.jacobian = equation.share * equation.point * workspace.at_point.tangent;
-  workspace.jacobian += equation.drag * model.damping;
+  const auto& tangent = takes_mean(workspace) ? workspace.mean.tangent : workspace.at_point.tangent;
+  const Scalar share = takes_mean(workspace) ? equation.share : equation.share * equation.point;
+  workspace.jacobian = share * tangent + equation.drag * model.damping;
   workspace.jacobian.diagonal().array() += equation.inertia;
 }
 
