@@ -50,6 +50,13 @@ TEST(NonlinearStep, AvfKeepsTheEnergyOfStiffLargeMotions) {
   RecordProperty("rejected", rejected);
 }
 
+TEST(NonlinearStep, AvfKeepsTheEnergyAtAbsurdSteps) {
+  auto motion = test::start(test::random_polynomial(4, 260), nonlinear_avf<double>(), 1e3 / 260, some(4));
+  const double begin = motion.energy();
+  for (int n = 0; n < 2000; ++n) ASSERT_EQ(motion.step().status, Status::done) << n;
+  EXPECT_NEAR(motion.energy(), begin, 1e-8 * begin);
+}
+
 TEST(NonlinearStep, AvfChangesTheEnergyByTheWorkOfTheLoad) {
   auto motion = test::start(test::random_polynomial(5), nonlinear_avf<double>(), 0.3, some(5), 2.0);
   double work = motion.energy();
