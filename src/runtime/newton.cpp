@@ -5,6 +5,9 @@
 namespace ritz::runtime {
 namespace {
 
+/// How often a correction that enlarges the residual is halved.
+constexpr int shortenings = 5;
+
 template <class Scalar>
 bool takes_mean(const NonlinearWorkspace<Scalar>& workspace) {
   return workspace.method.rule == ForceRule::mean_of_step;
@@ -40,9 +43,10 @@ void assemble_jacobian(const NonlinearModel<Scalar>& model, NonlinearWorkspace<S
 /// δ −= (the factored matrix)⁻¹ R; returns the length of the change.
 template <class Scalar>
 Scalar correct(NonlinearWorkspace<Scalar>& workspace) {
-  solve_in_place(workspace.factors, workspace.residual);
-  workspace.delta -= workspace.residual;
-  return workspace.residual.norm();
+  workspace.correction = workspace.residual;
+  solve_in_place(workspace.factors, workspace.correction);
+  workspace.delta -= workspace.correction;
+  return workspace.correction.norm();
 }
 
 }  // namespace
@@ -61,6 +65,8 @@ NonlinearOutcome newton(const NonlinearModel<Scalar>& model, const NonlinearStat
   constexpr Scalar rounding = 8 * std::numeric_limits<Scalar>::epsilon();
   NonlinearOutcome outcome{.status = Status::not_converged};
   workspace.delta.setZero();
+  Scalar last = std::numeric_limits<Scalar>::infinity();
+  int shortened = 0;
   for (;;) {
     const Scalar scale = evaluate_residual(model, state, workspace);
     ++outcome.evaluations;
@@ -71,7 +77,15 @@ NonlinearOutcome newton(const NonlinearModel<Scalar>& model, const NonlinearStat
     }
     const bool started = outcome.iterations > 0;
     if (size == 0 || (started && size <= workspace.options.tolerance * scale)) break;
+    if (size > last && shortened < shortenings) {  // the correction went too far: take half of it back
+      workspace.correction /= 2;
+      workspace.delta += workspace.correction;
+      ++shortened;
+      continue;
+    }
     if (outcome.iterations == workspace.options.iterations) return outcome;
+    last = size;
+    shortened = 0;
     assemble_jacobian(model, workspace);
     factor(workspace.jacobian, workspace.factors);
     const Scalar change = correct(workspace);

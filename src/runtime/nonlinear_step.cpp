@@ -60,6 +60,7 @@ NonlinearWorkspace<Scalar> make_workspace(const NonlinearModel<Scalar>& model, c
                                        .delta = none,
                                        .point = none,
                                        .residual = none,
+                                       .correction = none,
                                        .begin = none,
                                        .end = none,
                                        .before = {Matrix<Scalar>::Zero(r, history_size(method.history)), 0}};

@@ -8,7 +8,8 @@
 
 namespace ritz::runtime {
 
-/// When Newton's iteration ends: ‖R‖ ≤ tolerance (‖inertia δ‖ + ‖share F‖ + ‖target‖).
+/// When Newton's iteration ends: ‖R‖ ≤ tolerance (‖inertia δ‖ + ‖share F‖ + ‖target‖), or δ changes by rounding alone.
+/// A correction that enlarges ‖R‖ is halved.
 template <class Scalar>
 struct NewtonOptions {
   Scalar tolerance = sizeof(Scalar) == 8 ? Scalar(1e-10) : 50 * std::numeric_limits<Scalar>::epsilon();
@@ -26,7 +27,7 @@ struct NonlinearWorkspace {
   StepEquation<Scalar> equation;
   Matrix<Scalar> jacobian;
   Factors<Scalar> factors;
-  Vector<Scalar> delta, point, residual, begin, end;
+  Vector<Scalar> delta, point, residual, correction, begin, end;
   NonlinearState<Scalar> before;
   Scalar stable_dt = std::numeric_limits<Scalar>::infinity();  ///< s, of an explicit method at rest
   Scalar factored_dt = 0;                                      ///< s, whose I + Δt D/2 an explicit method has factored
