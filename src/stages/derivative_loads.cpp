@@ -71,7 +71,7 @@ void add_row(const Inner& in, int i, double* to, int stride) {
       P[6][l] += in.mu * zx;
     }
     for (int v = 0; v < in.vertices; ++v) {
-      const double *n = in.gradients + 3 * v;
+      const double* n = in.gradients + 3 * v;
       for (int c = 0; c < 3; ++c) {
         double* sum = to + static_cast<std::ptrdiff_t>(3 * v + c) * stride + (j - start);
         for (int l = 0; l < lanes; ++l) sum[l] += n[0] * P[3 * c][l] + n[1] * P[3 * c + 1][l] + n[2] * P[3 * c + 2][l];
@@ -127,8 +127,8 @@ void cell_sums(const mesh::Mesh& mesh, int cell, const fem::StVK& material, cons
     const auto [shape, weight] = fem::physical_gradients<E>(x, sample);
     gradients_of<E>(shape, u, lambda, mu, point);
     const Eigen::Matrix<double, E::vertices, 3, Eigen::RowMajor> weighted = -weight * shape;
-    const Inner inner{E::vertices, weighted.data(), lambda, mu, static_cast<int>(point.G.cols()), point.G.data(),
-                      point.S.data()};
+    const Inner inner{E::vertices,    weighted.data(), lambda, mu, static_cast<int>(point.G.cols()),
+                      point.G.data(), point.S.data()};
     for (int i = rows.first; i < rows.last; ++i)
       add_row(inner, i, sums.data() + rows.start(i), static_cast<int>(sums.cols()));
   }
@@ -171,8 +171,7 @@ petsc::Tall derivative_loads(const mesh::Mesh& mesh, const mesh::Dofs& dofs, con
   for (const int c : file_order(mesh.cells)) {
     const auto n = static_cast<std::size_t>(c);
     const auto& material = materials[static_cast<std::size_t>(mesh.cells.regions[n])];
-    fem::visit(mesh.cells.types[n],
-               [&]<class E>(E) { cell_sums<E>(mesh, c, material, local, rows, u, point, cell); });
+    fem::visit(mesh.cells.types[n], [&]<class E>(E) { cell_sums<E>(mesh, c, material, local, rows, u, point, cell); });
     const auto vertices = mesh.cells.of(c);
     for (std::size_t a = 0; a < vertices.size(); ++a)
       if (vertices[a] < mesh.owned)

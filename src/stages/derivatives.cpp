@@ -69,12 +69,12 @@ int last_row(int first, int modes, int columns) {
 }
 
 /// Divides the pairs of a block into those to solve and those that cannot matter.
-std::vector<Index> worth_solving(const std::vector<Pair>& pairs, const Eigen::ArrayXd& bounds, int always,
-                                 double least, DerivativeCounts& counts) {
+std::vector<Index> worth_solving(const std::vector<Pair>& pairs, const Eigen::ArrayXd& bounds, double least,
+                                 DerivativeCounts& counts) {
   std::vector<Index> solved;
   for (std::size_t p = 0; p < pairs.size(); ++p) {
     const auto n = static_cast<Index>(p);
-    if (pairs[p].j < always || !(bounds[n] < least)) solved.push_back(n);
+    if (!(bounds[n] < least)) solved.push_back(n);
     else counts.skipped += bounds[n] * bounds[n];
   }
   counts.pairs += static_cast<int>(pairs.size());
@@ -84,7 +84,7 @@ std::vector<Index> worth_solving(const std::vector<Pair>& pairs, const Eigen::Ar
 
 }  // namespace
 
-DerivativeCounts derivatives(const DerivativesSource& source, double first_eigenvalue, int columns, int always,
+DerivativeCounts derivatives(const DerivativesSource& source, double first_eigenvalue, int columns,
                              const std::function<double(Pair)>& weight, const std::function<double()>& least,
                              const std::function<void(const DerivativeBlock&)>& take) {
   const auto& [mesh, dofs, full, rigid, flexible, inverse] = source;
@@ -99,7 +99,7 @@ DerivativeCounts derivatives(const DerivativesSource& source, double first_eigen
     const petsc::Tall loads = derivative_loads(mesh, dofs, full.materials, local, first, last);
     Eigen::ArrayXd bounds = norm(loads) / first_eigenvalue;
     for (std::size_t p = 0; p < pairs.size(); ++p) bounds[static_cast<Index>(p)] *= weight(pairs[p]);
-    const auto chosen = worth_solving(pairs, bounds, always, least(), counts);
+    const auto chosen = worth_solving(pairs, bounds, least(), counts);
     if (chosen.empty()) continue;
     auto solved = solve(full, inverse, rigid, norm_K, loads(Eigen::all, chosen));
     counts.iterations = std::max(counts.iterations, solved.iterations);

@@ -17,17 +17,17 @@ struct DerivativeBlock {
 /// What became of the pairs.
 struct DerivativeCounts {
   int pairs = 0, solved = 0;
-  int iterations = 0;    ///< the most that a block's solve took
-  double residual = 0;   ///< the largest of all solves
-  double skipped = 0;    ///< Σ of the squares of the bounds on what was not solved, scaled as `weight` says
+  int iterations = 0;   ///< the most that a block's solve took
+  double residual = 0;  ///< the largest of all solves
+  double skipped = 0;   ///< Σ of the squares of the bounds on what was not solved, scaled as `weight` says
 };
 
 struct DerivativesSource {
   const mesh::Mesh& mesh;
   const mesh::Dofs& dofs;
   const Full& full;
-  const petsc::Tall& rigid;       ///< M-orthonormal
-  const petsc::Tall& flexible;    ///< the modes ψ_1 ... ψ_K'
+  const petsc::Tall& rigid;     ///< M-orthonormal
+  const petsc::Tall& flexible;  ///< the modes ψ_1 ... ψ_K'
   const Inverse& inverse;
 };
 
@@ -36,8 +36,8 @@ struct DerivativesSource {
 ///
 /// A pair is not solved when weight(pair) ‖Φ‖_M is certainly below `least()`, by ‖Φ‖_M ≤ ‖b‖_{M⁻¹}/λ₁ and
 /// ‖b‖²_{M⁻¹} ≤ bᵀ D⁻¹ b / c, D the diagonal of M and c the smallest eigenvalue of any cell's D_e⁻¹M_e [Wathen 1987].
-/// Pairs of the first `always` modes are always solved. Throws NumericalError. *Collective*.
-DerivativeCounts derivatives(const DerivativesSource& source, double first_eigenvalue, int columns, int always,
+/// Throws NumericalError. *Collective*.
+DerivativeCounts derivatives(const DerivativesSource& source, double first_eigenvalue, int columns,
                              const std::function<double(Pair)>& weight, const std::function<double()>& least,
                              const std::function<void(const DerivativeBlock&)>& take);
 

@@ -18,6 +18,9 @@ constexpr int panel = petsc::panel_width;
 
 /// A multigrid cycle and the matrix that it is for.
 struct Cycle {
+  Cycle(petsc::Matrix A, const petsc::ConstTallRef& near_null)
+      : matrix(std::move(A)), multigrid(matrix, near_null, "multigrid_") {}
+
   petsc::Matrix matrix;
   petsc::Multigrid multigrid;
 };
@@ -51,17 +54,14 @@ int iterative_block(int wanted) {
 Found find_iteratively(const EigenProblem& problem, int wanted, const petsc::Tall& known,
                        const ModesProgress& progress) {
   progress("multigrid", 0);
-  petsc::Matrix A = shifted(problem.full, safe_shift(problem));
-  petsc::Multigrid levels(A, near_null_space(problem.mesh, problem.dofs), "multigrid_");
-  const auto cycle = std::make_shared<const Cycle>(std::move(A), std::move(levels));
+  const auto cycle = std::make_shared<const Cycle>(shifted(problem.full, safe_shift(problem)),
+                                                   near_null_space(problem.mesh, problem.dofs));
   const Inverse inverse = [cycle](const petsc::ConstTallRef& r, petsc::TallRef z) { cycle->multigrid.apply(r, z); };
   LobpcgOptions options;
   options.wanted = wanted;
-  auto found = lobpcg(
-      problem.full.stiffness, problem.full.mass, problem.norm_K,
-      inverse, problem.rigid,
-      start_block(problem, cycle->multigrid, known, iterative_block(wanted)), options,
-      [&](int done, int all) { progress("modes", double(done) / all); });
+  auto found = lobpcg(problem.full.stiffness, problem.full.mass, problem.norm_K, inverse, problem.rigid,
+                      start_block(problem, cycle->multigrid, known, iterative_block(wanted)), options,
+                      [&](int done, int all) { progress("modes", double(done) / all); });
   if (found.converged < wanted)
     throw NumericalError("the eigensolver (LOBPCG with multigrid) converged to " + std::to_string(found.converged) +
                          " of " + std::to_string(wanted) + " modes in " + std::to_string(found.iterations) +

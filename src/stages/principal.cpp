@@ -9,7 +9,7 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-constexpr double margin = 1e-3;       ///< of the σ at the cut: what is dropped while the set still grows
+constexpr double margin = 1e-3;        ///< of the σ at the cut: what is dropped while the set still grows
 constexpr double independent = 1e-13;  ///< of σ₁: rounding makes smaller directions up
 
 MPI_Comm comm_of(Mat A) { return PetscObjectComm(reinterpret_cast<PetscObject>(A)); }

@@ -1,0 +1,37 @@
+// The basis U: scaled mass-PCA of modes and derivatives (Eqs. 17, 18), or POD of snapshots (Eq. 12), or both.
+#pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ritz/model/model.hpp"
+#include "ritz/stages/derivatives.hpp"
+#include "ritz/stages/principal.hpp"
+
+namespace ritz::stages {
+
+struct BasisOptions {
+  int derivatives = 0;  ///< K': of the first so many modes; a cluster there is kept whole
+  Cut cut;
+  int block = 48;  ///< derivatives solved at once, about
+};
+
+struct BasisResult {
+  petsc::Tall U;  ///< rows of free degrees of freedom: UᵀMU = I, UᵀKU diagonal and ascending
+  model::Reduction reduction;
+  std::vector<std::pair<std::string, double>> figures;  ///< for the report
+  std::vector<std::string> notes;
+};
+
+/// Eq. 18's set { (λ₁/λ_j) ψ_j } ∪ { (λ₁²/(λ_i λ_j)) Φ_ij, i ≤ j }, ψ mass-orthonormal, Φ as Eq. 15 gives it, in
+/// whose M-norm singular value decomposition the first directions span U; with `snapshots` (full displacements, rows of
+/// free degrees of freedom, m) these as well: alone as they are, beside modes divided by the largest M-norm of one.
+/// U is turned so that UᵀKU is diagonal; signs come from vertex numbers. It has no rigid modes in it.
+///
+/// Derivatives are streamed: a block enters the decomposition and is dropped; `reduction.discarded` bounds all that U
+/// leaves out, what was never solved included. Throws InputError when the set has fewer independent directions than the
+/// cut asks for, NumericalError when a solve fails. *Collective*.
+BasisResult basis(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full& full, const ModesResult& modes,
+                  const petsc::ConstTallRef& snapshots, const BasisOptions& options, const ModesProgress& progress);
+
+}  // namespace ritz::stages

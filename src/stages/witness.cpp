@@ -1,0 +1,139 @@
+#include "ritz/stages/witness.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ritz/base/error.hpp"
+#include "ritz/base/random.hpp"
+#include "ritz/parallel/comm.hpp"
+#include "ritz/runtime/forces.hpp"
+#include "ritz/stages/internal_force.hpp"
+#include "ritz/stages/rayleigh_ritz.hpp"
+
+namespace ritz::stages {
+namespace {
+
+using Eigen::Index;
+
+constexpr double gate = 1e-11;
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr int decades = 9;
+constexpr int halvings = 6, most_halvings = 14;
+constexpr double clear_of_rounding = 1e3;
+
+std::string shown(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2e", x);
+  return text;
+}
+
+/// The diagonal of the bounding box, m.
+double size_of(const mesh::Mesh& mesh) {
+  Eigen::Array3d low = Eigen::Array3d::Constant(1e300), high = -low;
+  for (int v = 0; v < mesh.owned; ++v) {
+    low = low.min(mesh.points.col(v).array());
+    high = high.max(mesh.points.col(v).array());
+  }
+  MPI_Allreduce(MPI_IN_PLACE, low.data(), 3, MPI_DOUBLE, MPI_MIN, mesh.comm);
+  MPI_Allreduce(MPI_IN_PLACE, high.data(), 3, MPI_DOUBLE, MPI_MAX, mesh.comm);
+  return (high - low).matrix().norm();
+}
+
+double largest(MPI_Comm comm, const petsc::ConstTallRef& u) {
+  return parallel::max(comm, u.size() > 0 ? u.cwiseAbs().maxCoeff() : 0.0);
+}
+
+/// Random reduced coordinates, one column a decade of the largest displacement.
+Eigen::MatrixXd samples(const mesh::Mesh& mesh, const petsc::ConstTallRef& u) {
+  Eigen::MatrixXd z(u.cols(), decades);
+  for (Index d = 0; d < decades; ++d) {
+    for (Index i = 0; i < z.rows(); ++i)
+      z(i, d) = uniform(77 + static_cast<std::uint64_t>(d), static_cast<std::uint64_t>(i));
+    const double unit = largest(mesh.comm, u * z.col(d));
+    z.col(d) *= 0.1 * size_of(mesh) * std::pow(10.0, static_cast<double>(d) - 6) / unit;
+  }
+  return z;
+}
+
+/// A figure, and what rounding alone may make of it.
+void require(const std::string& what, double error, double allowed) {
+  if (!(error <= std::max(gate, allowed)))
+    throw NumericalError("the polynomial does not agree with the full model: " + what + " differs by " + shown(error) +
+                         "; the model was not written");
+}
+
+}  // namespace
+
+Figures polynomial_witness(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full& full,
+                           const petsc::ConstTallRef& u, const model::Polynomial& polynomial) {
+  const Eigen::MatrixXd z = samples(mesh, u);
+  const petsc::Tall displaced = petsc::combine(u, z);
+  const auto truth = internal_forces(mesh, full.materials, displaced);
+  const Eigen::MatrixXd reduced = petsc::inner(mesh.comm, u, truth.forces);
+  const Eigen::ArrayXd rounding = 10 * epsilon * one_norm(full.stiffness) *
+                                  petsc::column_norms(mesh.comm, displaced).array() *
+                                  petsc::column_norms(mesh.comm, u).maxCoeff();
+  const auto forces = runtime::make_forces<double>(polynomial);
+  auto evaluation = runtime::make_evaluation(forces);
+  double force = 0, energy = 0;
+  for (Index d = 0; d < decades; ++d) {
+    runtime::evaluate<double>(forces, z.col(d), evaluation);
+    const double size = reduced.col(d).norm();
+    const double error = (evaluation.force - reduced.col(d)).norm() / size;
+    require("the force", error, rounding[d] / size);
+    const double energy_error = std::abs(evaluation.energy - truth.energies[d]) / truth.energies[d];
+    require("the energy", energy_error, rounding[d] * z.col(d).norm() / truth.energies[d]);
+    force = std::max(force, error);
+    energy = std::max(energy, energy_error);
+  }
+  const petsc::Tall free = mesh::from_vertices(mesh, dofs, u);
+  const Eigen::MatrixXd stiffness = petsc::inner(mesh.comm, free, petsc::multiply(full.stiffness, free));
+  const double scale = stiffness.cwiseAbs().maxCoeff();
+  const double tangent = (runtime::rest_tangent(forces) - stiffness).cwiseAbs().maxCoeff() / scale;
+  require("K at rest", tangent, rounding.maxCoeff() / (scale * z.col(decades - 1).norm()));
+  return {{"witness_force", force}, {"witness_energy", energy}, {"witness_stiffness", tangent}};
+}
+
+Figures taylor_witness(const DerivativesSource& source, const std::vector<fem::StVK>& materials) {
+  const auto& [mesh, dofs, full, rigid, flexible, inverse] = source;
+  const Index modes = std::min<Index>(3, flexible.cols());
+  const petsc::Tall psi = flexible.leftCols(modes), K_psi = petsc::multiply(full.stiffness, psi);
+  Eigen::VectorXd p(modes);
+  for (Index i = 0; i < modes; ++i) p[i] = 1.0 / static_cast<double>(1 + i);
+  petsc::Tall line = psi * p, curve = petsc::Tall::Zero(psi.rows(), 1);
+  const DerivativesSource first{mesh, dofs, full, rigid, psi, inverse};
+  derivatives(
+      first, 1, static_cast<int>(modes * modes), [](Pair) { return 1.0; }, [] { return 0.0; },
+      [&](const DerivativeBlock& block) {
+        for (std::size_t n = 0; n < block.pairs.size(); ++n) {
+          const auto [i, j] = block.pairs[n];
+          curve += (i == j ? 0.5 : 1.0) * p[i] * p[j] * block.columns.col(static_cast<Index>(n));
+        }
+      });
+  const double start = 0.01 * size_of(mesh) / largest(mesh.comm, line);
+  petsc::Tall path(psi.rows(), most_halvings);
+  Eigen::ArrayXd t(most_halvings);
+  for (Index n = 0; n < most_halvings; ++n) {
+    t[n] = start * std::pow(0.5, static_cast<double>(n));
+    path.col(n) = t[n] * line + t[n] * t[n] * curve;
+  }
+  const auto forces = internal_forces(mesh, materials, mesh::to_vertices(mesh, dofs, path));
+  petsc::Tall remainder = mesh::from_vertices(mesh, dofs, forces.forces) - K_psi * p * t.matrix().transpose();
+  if (rigid.cols() > 0)
+    petsc::subtract(remainder, petsc::multiply(full.mass, rigid), petsc::inner(mesh.comm, rigid, remainder));
+  const Eigen::ArrayXd sizes = petsc::column_norms(mesh.comm, remainder).array();
+  const Eigen::ArrayXd rounding = epsilon * one_norm(full.stiffness) * petsc::column_norms(mesh.comm, path).array();
+  Index last = 0;
+  while (last < most_halvings && sizes[last] > clear_of_rounding * rounding[last]) ++last;
+  if (last <= halvings) return {{"witness_taylor_slope", std::numeric_limits<double>::quiet_NaN()}};
+  const double slope = std::log2(sizes[last - 1 - halvings] / sizes[last - 1]) / halvings;
+  if (!(slope > 2.9 && slope < 3.1))
+    throw NumericalError(
+        "the modal derivatives fail their own test: the remainder of the Taylor series falls with the "
+        "power " +
+        std::to_string(slope) + " of the amplitude in place of 3; the model was not written");
+  return {{"witness_taylor_slope", slope}};
+}
+
+}  // namespace ritz::stages
