@@ -1,0 +1,120 @@
+// Motions of the full model: energy, order of accuracy, a linear limit, rejected steps, restart.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "ritz/base/error.hpp"
+#include "ritz/stages/full_loads.hpp"
+#include "support/full_runs.hpp"
+
+namespace ritz::test {
+namespace {
+
+using petsc::Tall;
+using stages::DynamicOptions, stages::FullIntegrator;
+
+FullRun beam(const std::string& cells = "hex8") {
+  return {problem(box("box:1,.15,.1/6,1,1/" + cells), {fixed("xmin")})};
+}
+
+Tall end_force(const FullRun& run, const Eigen::Vector3d& newton) {
+  return run.free(stages::shared_force(run.p.mesh, *run.p.mesh.find("xmax"), newton));
+}
+
+stages::LoadAt constant(const Tall& F) {
+  return [F](double) { return F; };
+}
+
+class Cells : public testing::TestWithParam<const char*> {};
+
+// Pulled sideways and released: nothing is gained or lost in 200 steps.
+TEST_P(Cells, AvfKeepsTheEnergy) {
+  FullRun run = beam(GetParam());
+  auto start = run.rest();
+  start.u = run.statics(end_force(run, {0, 4, 10}), 2);
+  stages::DynamicReport report;
+  const auto last =
+      run.motion({.integrator = FullIntegrator::avf, .dt = .02}, start, 200, constant(run.zeros()), &report);
+  EXPECT_EQ(report.rejected, 0);
+  EXPECT_GT(last.energies.start, 1);
+  EXPECT_LE(report.largest_drift, 1e-9 * last.energies.start);
+}
+
+INSTANTIATE_TEST_SUITE_P(FullDynamics, Cells, testing::Values("tet4", "tet10", "hex8"),
+                         [](const auto& info) { return std::string(info.param); });
+
+// With load and damping the balance holds as well: E − E₀ = W − Q.
+TEST(FullDynamics, AvfBalancesWorkAndDamping) {
+  FullRun run = beam();
+  const Tall F = end_force(run, {0, 2, 8});
+  stages::DynamicReport report;
+  const auto load = [&](double t) -> Tall { return std::sin(4 * t) * F; };
+  const auto last = run.motion({.integrator = FullIntegrator::avf, .alpha = .3, .beta = .002, .dt = .02}, run.rest(),
+                               100, load, &report);
+  EXPECT_GT(last.energies.dissipated, .1);
+  EXPECT_LE(report.largest_drift, 1e-9 * (last.energies.dissipated + last.energies.kinetic));
+}
+
+double error_of(FullIntegrator integrator, int steps) {
+  FullRun run = beam();
+  const Tall F = end_force(run, {0, 3, 8});
+  const auto load = [&](double t) -> Tall { return std::pow(std::sin(3 * t), 2) * F; };
+  const auto at = [&](FullIntegrator how, int n) {
+    return run.motion({.integrator = how, .dt = .5 / n}, run.rest(), n, load).u;
+  };
+  const Tall reference = at(FullIntegrator::newmark, 640);
+  return stages::norm(run.model, at(integrator, steps) - reference) / stages::norm(run.model, reference);
+}
+
+TEST(FullDynamics, HasItsOrdersOfAccuracy) {
+  for (const auto& [integrator, order] :
+       {std::pair{FullIntegrator::newmark, 2.}, {FullIntegrator::avf, 2.}, {FullIntegrator::implicit_euler, 1.}})
+    EXPECT_NEAR(std::log2(error_of(integrator, 40) / error_of(integrator, 80)), order, .2);
+}
+
+// At small amplitudes a mode swings as Newmark's recurrence for an oscillator says: u(t) = cos(θ t/Δt), with
+// tan(θ/2) = ω Δt/2.
+TEST(FullDynamics, SwingsAModeAsTheRecurrenceSays) {
+  FullRun run = beam("tet10");
+  const auto result = modes(run.p, 1);
+  const double dt = .02, omega = std::sqrt(result.modes.eigenvalues[0]), theta = 2 * std::atan(omega * dt / 2);
+  const Tall psi = result.vectors.col(0);
+  for (const auto integrator : {FullIntegrator::newmark, FullIntegrator::avf}) {
+    auto start = run.rest();
+    start.u = 1e-9 * psi;
+    const auto last = run.motion({.integrator = integrator, .dt = dt}, start, 50, constant(run.zeros()));
+    EXPECT_LE(stages::norm(run.model, last.u - std::cos(50 * theta) * start.u),
+              1e-7 * stages::norm(run.model, start.u));
+  }
+}
+
+// A step far too long for a blow of that size is halved, and counted, and the motion is what short steps give.
+TEST(FullDynamics, HalvesAStepThatDoesNotConverge) {
+  FullRun run = beam();
+  auto start = run.rest();
+  const Tall blow = petsc::solve_mass(run.p.full.mass, end_force(run, {-400, 300, 500}));
+  start.v = 60 / blow.cwiseAbs().maxCoeff() * blow;
+  stages::DynamicReport report;
+  const auto last = run.motion({.integrator = FullIntegrator::avf, .dt = .2}, start, 3, constant(run.zeros()), &report);
+  EXPECT_GT(report.rejected, 0);
+  EXPECT_TRUE(last.u.allFinite());
+  EXPECT_LE(report.largest_drift, 1e-8 * last.energies.start);
+}
+
+TEST(FullDynamics, GoesOnFromAState) {
+  FullRun run = beam();
+  const Tall F = end_force(run, {0, 3, 8});
+  const auto load = [&](double t) -> Tall { return std::sin(3 * t) * F; };
+  for (const auto integrator : {FullIntegrator::newmark, FullIntegrator::avf, FullIntegrator::implicit_euler}) {
+    const DynamicOptions options{.integrator = integrator, .alpha = .1, .dt = .01};
+    const auto whole = run.motion(options, run.rest(), 20, load);
+    stages::DynamicState state = run.motion(options, run.rest(), 12, load);
+    stages::full_dynamics(run.model, options, state, 8, load, [&](const stages::DynamicState& s) { state = s; });
+    EXPECT_LE(stages::norm(run.model, state.u - whole.u), 1e-12 * stages::norm(run.model, whole.u));
+    EXPECT_NEAR(state.energies.drift(), whole.energies.drift(), 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace ritz::test
