@@ -55,9 +55,17 @@ class StepEquations {
             [this](const petsc::Tall& d) { return force_rounding(model_, u0_ + d); }};
   }
 
-  /// The sum of the norms of the forces in balance.
-  double scale(const petsc::Tall& d) const {
+  /// The sum of the norms of the forces in balance where the step begins: a guess of its end may be far from anything
+  /// that happens, and its forces no measure.
+  double scale() const {
+    const petsc::Tall d = petsc::Tall::Zero(u0_.rows(), 1);
     return norm(model_, inertia(d)) + norm(model_, damping(d)) + norm(model_, internal(d)) + norm(model_, rule_.load);
+  }
+
+  /// `d`, or 0 where that is nearer to balance.
+  petsc::Tall better_than_none(const petsc::Tall& d) const {
+    const petsc::Tall none = petsc::Tall::Zero(d.rows(), 1);
+    return norm(model_, residual(d)) < norm(model_, residual(none)) ? d : none;
   }
 
  private:
@@ -117,8 +125,8 @@ class Motion {
     const petsc::Tall F0 = load_(now.t), F1 = load_(now.t + dt);
     const Rule r = rule(options_.integrator, now, dt, F0, F1);
     StepEquations equations(model_, options_, r, now.u);
-    petsc::Tall d = dt * now.v + dt * dt / 2 * now.a;
-    scale_ = equations.scale(d);
+    petsc::Tall d = equations.better_than_none(dt * now.v + dt * dt / 2 * now.a);
+    scale_ = equations.scale();
     outcome_ = model_.newton.solve(equations.equations(), options_.tolerance, scale_, d);
     report.newton_iterations += outcome_.iterations;
     if (outcome_.result == petsc::Convergence::failed) return std::nullopt;

@@ -16,7 +16,7 @@ struct DynamicOptions {
   double alpha = 0;          ///< 1/s
   double beta = 0;           ///< s
   double dt = 0;             ///< s
-  double tolerance = 1e-10;  ///< of the residual, relative to the sum of the norms of the forces in balance
+  double tolerance = 1e-10;  ///< of the residual, relative to the sum of the norms of the forces where the step begins
 };
 
 /// All of J. Until now, W the work of the loads and Q what damping took: E − E₀ = W − Q, up to what the integrator and
