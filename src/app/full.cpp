@@ -92,6 +92,10 @@ FullPlan plan(const scene::Scene& scene, std::vector<double> times, const std::v
   return plan;
 }
 
+std::string inside_out(std::int64_t cells) {
+  return cells == 0 ? "" : "\n" + std::to_string(cells) + " cells are inside out at the end";
+}
+
 /// What takes the states, and where it is told how far the run is.
 using Reached = std::function<void(const stages::DynamicState&)>;
 
@@ -108,7 +112,7 @@ std::string run_statics(stages::FullModel& model, const scene::Scene& scene, con
         reached(state);
       });
   return std::to_string(report.newton_iterations) + " Newton iterations, " + std::to_string(report.halvings) +
-         " load increments halved";
+         " load increments halved" + inside_out(report.inverted_cells);
 }
 
 std::string run_dynamics(stages::FullModel& model, const scene::Scene& scene, const stages::DynamicState& start,
@@ -118,15 +122,18 @@ std::string run_dynamics(stages::FullModel& model, const scene::Scene& scene, co
       .integrator = integrator_of(time), .alpha = scene.damping.alpha, .beta = scene.damping.beta, .dt = time.step};
   const auto first = start.t > 0 ? start : stages::start_dynamics(model, options, start, load);
   double largest = 0;
+  stages::DynamicState last;
   const auto watch = [&](const stages::DynamicState& state) {
     largest = std::max(largest, state.energies.kinetic + state.energies.elastic);
+    last = state;
     reached(state);
   };
   watch(first);
   const auto report = stages::full_dynamics(model, options, first, steps, load, watch);
   return std::to_string(report.newton_iterations) + " Newton iterations, " + std::to_string(report.rejected) +
          " steps rejected and halved\nenergy balance: at most " + stages::shown(report.largest_drift) +
-         " J of E - E0 - W + Q, the largest energy being " + stages::shown(largest) + " J";
+         " J of E - E0 - W + Q, the largest energy being " + stages::shown(largest) + " J" +
+         inside_out(stages::inverted_cells(model, last.u));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "ritz/stages/full_model.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -16,15 +17,35 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
+template <class E>
+fem::Coordinates<E> displaced(const mesh::Mesh& mesh, int cell, const petsc::Tall& local) {
+  const auto vertices = mesh.cells.of(cell);
+  fem::Coordinates<E> u;
+  for (int a = 0; a < E::vertices; ++a)
+    u.col(a) = local.col(0).template segment<3>(3 * vertices[static_cast<std::size_t>(a)]);
+  return u;
+}
+
+template <class E>
+bool is_inverted(const mesh::Mesh& mesh, int cell, const petsc::Tall& local) {
+  const fem::Coordinates<E> x = fem::relative<E>(mesh.corners(cell)),
+                            u = fem::relative<E>(displaced<E>(mesh, cell, local));
+  return std::any_of(E::rule.begin(), E::rule.end(), [&](const auto& sample) {
+    const fem::Matrix<3, 3> G = u * fem::physical_gradients<E>(x, sample).gradients;
+    return (fem::Matrix<3, 3>::Identity() + G).determinant() <= 0;
+  });
+}
+
+petsc::Tall local_vertices(const FullModel& model, const petsc::Tall& u) {
+  return mesh::with_ghosts(model.mesh, mesh::to_vertices(model.mesh, model.dofs, u));
+}
+
 /// ε Σ_q w (λ + 2μ) (1 + ‖∇u‖)² ‖u‖ ‖∇N‖ ‖∇N_a‖ onto each vertex a of a cell that this rank owns.
 template <class E>
 void add_rounding(const mesh::Mesh& mesh, int cell, const fem::StVK& material, const petsc::Tall& local,
                   Eigen::VectorXd& sums) {
   const auto vertices = mesh.cells.of(cell);
-  const fem::Coordinates<E> x = fem::relative<E>(mesh.corners(cell));
-  fem::Coordinates<E> u;
-  for (int a = 0; a < E::vertices; ++a)
-    u.col(a) = local.col(0).template segment<3>(3 * vertices[static_cast<std::size_t>(a)]);
+  const fem::Coordinates<E> x = fem::relative<E>(mesh.corners(cell)), u = displaced<E>(mesh, cell, local);
   const double largest = u.cwiseAbs().maxCoeff();
   for (const auto& sample : E::rule) {
     const auto [gradients, weight] = fem::physical_gradients<E>(x, sample);
@@ -53,7 +74,7 @@ EnergyAndForce energy_and_force(const FullModel& model, const petsc::Tall& u) {
 
 double force_rounding(const FullModel& model, const petsc::Tall& u) {
   const mesh::Mesh& mesh = model.mesh;
-  const petsc::Tall local = mesh::with_ghosts(mesh, mesh::to_vertices(mesh, model.dofs, u));
+  const petsc::Tall local = local_vertices(model, u);
   Eigen::VectorXd sums = Eigen::VectorXd::Zero(mesh.owned);
   for (int c = 0; c < mesh.cells.count(); ++c) {
     const auto i = static_cast<std::size_t>(c);
@@ -61,6 +82,16 @@ double force_rounding(const FullModel& model, const petsc::Tall& u) {
     fem::visit(mesh.cells.types[i], [&]<class E>(E) { add_rounding<E>(mesh, c, material, local, sums); });
   }
   return std::sqrt(parallel::sum(mesh.comm, sums.squaredNorm()));
+}
+
+std::int64_t inverted_cells(const FullModel& model, const petsc::Tall& u) {
+  const mesh::Mesh& mesh = model.mesh;
+  const petsc::Tall local = local_vertices(model, u);
+  std::int64_t inverted = 0;
+  for (int c = 0; c < mesh.cells.owned; ++c)
+    inverted += fem::visit(mesh.cells.types[static_cast<std::size_t>(c)],
+                           [&]<class E>(E) { return is_inverted<E>(mesh, c, local); });
+  return parallel::sum(mesh.comm, inverted);
 }
 
 double norm(const FullModel& model, const petsc::Tall& x) { return std::sqrt(dot(model, x, x)); }

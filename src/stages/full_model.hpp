@@ -31,6 +31,9 @@ EnergyAndForce energy_and_force(const FullModel& model, const petsc::Tall& u);
 /// stiffness. *Collective*.
 double force_rounding(const FullModel& model, const petsc::Tall& u);
 
+/// Cells that are turned inside out somewhere: det F ≤ 0 at a point of the element's rule. *Collective*.
+std::int64_t inverted_cells(const FullModel& model, const petsc::Tall& u);
+
 /// ‖x‖₂. *Collective*.
 double norm(const FullModel& model, const petsc::Tall& x);
 /// x·y. *Collective*.

@@ -10,6 +10,7 @@ namespace ritz::stages {
 namespace {
 
 constexpr int most_halvings = 10;  ///< of one increment: the load fraction of a limit point is known to 1/1024 of it
+constexpr double jump = .2;        ///< a change of u, relative to u, that no such increment makes on a smooth path
 
 void refuse_loose(const FullModel& model) {
   const auto motions = rigid_motions(model.mesh, model.dofs).cols();
@@ -25,7 +26,7 @@ class Loading {
 
   /// From `state` to the fraction `to`.
   void advance(StaticState& state, double to, int depth) {
-    if (solve(state, to)) return;
+    if (solve(state, to, depth)) return;
     if (depth == most_halvings) give_up(state);
     ++report.halvings;
     advance(state, (state.fraction + to) / 2, depth + 1);
@@ -35,7 +36,7 @@ class Loading {
   StaticReport report;
 
  private:
-  bool solve(StaticState& state, double to) {
+  bool solve(StaticState& state, double to, int depth) {
     const petsc::Tall F = load_(to);
     petsc::Tall u = state.u;
     const petsc::Equations equations{[&](const petsc::Tall& x, petsc::Tall& r) {
@@ -55,15 +56,19 @@ class Loading {
     report.newton_iterations += outcome_.iterations;
     unstable_ = outcome_.iterations > 0 ? model_.newton.negative_pivots() : 0;
     if (outcome_.result == petsc::Convergence::failed || unstable_ > 0) return false;
+    const auto inverted = inverted_cells(model_, u);
+    const bool smooth = depth == most_halvings && norm(model_, u - state.u) <= jump * norm(model_, u);
+    if (inverted > report.inverted_cells && !smooth) return false;
+    report.inverted_cells = inverted;
     state = {to, std::move(u), energy_};
     return true;
   }
 
   [[noreturn]] void give_up(const StaticState& state) const {
-    const std::string ending =
-        outcome_.result == petsc::Convergence::converged
-            ? std::to_string(unstable_) + " negative eigenvalues of the tangent"
-            : "Newton's relative residual " + shown(outcome_.residual / scale_) + ", " + outcome_.reason;
+    std::string ending = "Newton's relative residual " + shown(outcome_.residual / scale_) + ", ";
+    if (outcome_.result == petsc::Convergence::failed) ending += outcome_.reason;
+    else if (unstable_ > 0) ending += std::to_string(unstable_) + " negative eigenvalues of the tangent";
+    else ending += "where the body has jumped and cells are inside out";
     throw NumericalError("statics: no stable equilibrium was found beyond load fraction " + shown(state.fraction) +
                          ", a limit point of the load or a bifurcation (" + ending + ")");
   }
@@ -82,6 +87,7 @@ StaticReport full_statics(FullModel& model, const StaticOptions& options, Static
                           const std::function<void(const StaticState&)>& reached) {
   refuse_loose(model);
   Loading loading(model, options, load);
+  loading.report.inverted_cells = inverted_cells(model, start.u);
   for (int step = 1; step <= options.steps; ++step) {
     const double fraction = static_cast<double>(step) / options.steps;
     if (fraction <= start.fraction * (1 + 1e-9)) continue;

@@ -22,14 +22,15 @@ struct StaticState {
 
 struct StaticReport {
   int newton_iterations = 0;
-  int halvings = 0;  ///< load increments that had to be cut in two
+  int halvings = 0;                 ///< load increments that had to be cut in two
+  std::int64_t inverted_cells = 0;  ///< at the end
 };
 
 /// f(u) = F(t) from `start` on to t = 1; `reached` is called after each of the steps that lie beyond it. Newton takes
 /// full steps; an increment that does not converge, or with the direct solver lands where the tangent has negative
-/// eigenvalues, is halved. Throws NumericalError that names the load fraction reached (a limit point, or a bifurcation,
-/// past which dead loads find no stable equilibrium), and InputError when the supports leave the body rigid motions.
-/// *Collective*.
+/// eigenvalues, is halved; so is one that turns more cells inside out, until they do so without a jump. Throws
+/// NumericalError that names the load fraction reached (a limit point, or a bifurcation, past which dead loads find no
+/// stable equilibrium), and InputError when the supports leave the body rigid motions. *Collective*.
 StaticReport full_statics(FullModel& model, const StaticOptions& options, StaticState start, const LoadAt& load,
                           const std::function<void(const StaticState&)>& reached);
 

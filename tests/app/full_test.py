@@ -13,21 +13,21 @@ from program import BIN, InAFolder
 MATERIAL = ["-material_young", "1e6", "-material_poisson", ".3", "-material_density", "1000", "-quiet"]
 BEAM = ["-mesh", "box:1,.15,.1/6,2,1/hex8", "-fix", "xmin", *MATERIAL]
 SCENE = """
-gravity = [0, .5, -2]
+gravity = [0, 0.5, -2]
 [time]
-step = .02
+step = 0.02
 end = {end}
 integrator = "{integrator}"
 [damping]
-alpha = .1
-beta = .001
+alpha = 0.1
+beta = 0.001
 [shake]
 direction = [0, 1, 0]
-table = [[0, 0], [.1, 3], [.2, -3], [.3, 0]]
+table = [[0, 0], [0.1, 3], [0.2, -3], [0.3, 0]]
 [[load]]
 set = "xmax"
 total = [0, 2, 4]
-table = [[0, 0], [.2, 1], [.4, 0]]
+table = [[0, 0], [0.2, 1], [0.4, 0]]
 [[load]]
 set = "ymax"
 pressure = 40
@@ -107,7 +107,7 @@ class Files(Full):
         self.assertEqual(self.files(), {"pull.toml", "pulled.h5", "pulled.xdmf", "probes.csv"})
         pulled = self.motion("pulled.h5")["state/displacement"][:]
         np.testing.assert_array_equal(self.table("probes.csv")[1][:, 0], [0, .5, 1])
-        self.full(*BEAM, *self.scene("let_go.toml", text="[time]\nstep = .01\nend = .2\n"), "-restart", "pulled.h5")
+        self.full(*BEAM, *self.scene("let_go.toml", text="[time]\nstep = 0.01\nend = 0.2\n"), "-restart", "pulled.h5")
         file = self.motion()
         np.testing.assert_array_equal(file["displacement"][0], pulled)
         self.assertEqual(file["times"][0], 0)
@@ -156,7 +156,7 @@ class Restart(Full):
 class Ranks(Full):
     def test_a_file_in_a_random_order(self):
         write_shuffled_beam(self.folder / "m.msh")
-        scene = ("gravity = [0, 1, -1]\n[time]\nstep = .02\nend = .2\n[[probe]]\nname = 'a'\nvertex = %d\n")
+        scene = ("gravity = [0, 1, -1]\n[time]\nstep = 0.02\nend = 0.2\n[[probe]]\nname = 'a'\nvertex = %d\n")
         vertex = int((self.folder / "m.msh").read_text().splitlines()[5].split()[0])
         words = ["-mesh", "m.msh", "-fix", "box:-.01,.01,-1,1,-1,1", *MATERIAL,
                  *self.scene(text=scene % vertex), "-every", "1"]
