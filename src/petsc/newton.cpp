@@ -176,6 +176,7 @@ Newton::Newton(Mat jacobian, LinearSolver solver, const ConstTallRef& near_null)
 }
 
 NewtonOutcome Newton::solve(const Equations& equations, double tolerance, double scale, Tall& x) {
+  if (!std::isfinite(scale)) return {.reason = "the forces are not finite"};
   Call call{equations, tolerance, scale, nullptr};
   check(SNESSetFunction(snes_, nullptr, residual, &call));
   check(SNESSetJacobian(snes_, jacobian_, jacobian_, tangent, &call));

@@ -7,6 +7,7 @@ import xml.etree.ElementTree
 import h5py
 import numpy as np
 
+from bad_input.runner import sentences
 from mesh_file import write_shuffled_beam
 from program import BIN, InAFolder
 
@@ -151,6 +152,26 @@ class Restart(Full):
             said = self.full(*BEAM, *self.scene(), "-restart", "half.h5", *words, code=2).stderr
             self.assertIn(piece, said)
             self.assertEqual(self.files(), before)
+
+
+class FullDisk(Full):
+    def test_the_earlier_output_stays_alone(self):
+        """Whichever file does not fit; on a small file system of its own, where the machine lets us mount one."""
+        disk = self.folder / "disk"
+        disk.mkdir()
+        try_it = ["unshare", "-m", "mount", "-t", "tmpfs", "none", disk]
+        if subprocess.run(try_it, capture_output=True).returncode != 0:
+            self.skipTest("no file system may be mounted here")
+        self.scene()
+        words = [*BEAM, "-scene", self.folder / "scene.toml", "-mesh", "box:1,.15,.1/12,4,3/hex8"]
+        for size in ("16k", "64k", "120k", "180k"):
+            script = ('mount -t tmpfs -o size=$0 none . && cd "$PWD" && echo earlier > full.h5 && '
+                      'mpirun -n 2 "$@" >/dev/null; code=$?; ls; cat full.h5; exit $code')
+            result = subprocess.run(["unshare", "-m", "sh", "-c", script, size, BIN / "ritz-full", *words],
+                                    cwd=disk, capture_output=True, text=True, timeout=60)
+            self.assertEqual(result.returncode, 1, result.stderr)
+            self.assertEqual(len(sentences(result.stderr)), 1, result.stderr)
+            self.assertEqual(result.stdout, "full.h5\nearlier\n")
 
 
 class Ranks(Full):

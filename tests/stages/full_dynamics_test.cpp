@@ -123,6 +123,21 @@ TEST(FullDynamics, NamesTheStepThatCannotBeTaken) {
   }
 }
 
+// Whatever the load: a motion that is finite, or an error; here for loads up to where numbers end.
+TEST(FullDynamics, NeverGoesOnWithoutNumbers) {
+  FullRun run = beam();
+  for (const double size : {1e3, 1e6, 1e9, 1e100, 1e200}) {
+    const Tall F = end_force(run, size * Eigen::Vector3d(1, 2, -1));
+    stages::DynamicState last = run.rest();
+    try {
+      last = run.motion({.dt = .05}, run.rest(), 3, constant(F));
+    } catch (const NumericalError& error) {
+      EXPECT_NE(std::string(error.what()).find("did not converge"), std::string::npos) << error.what();
+    }
+    EXPECT_TRUE(last.u.allFinite()) << size;
+  }
+}
+
 TEST(FullDynamics, GoesOnFromAState) {
   FullRun run = beam();
   const Tall F = end_force(run, {0, 3, 8});
