@@ -53,8 +53,4 @@ class Newton {
 /// Makes the solver once on nothing, so that every option under newton_ counts as read. *Collective*.
 void read_newton_options(MPI_Comm comm);
 
-/// x = A⁻¹ b for a well-conditioned positive definite A, such as a mass matrix: CG with its diagonal, to rounding.
-/// Throws NumericalError. *Collective*.
-Tall solve_mass(Mat A, const ConstTallRef& b);
-
 }  // namespace ritz::petsc

@@ -6,6 +6,7 @@
 
 #include "ritz/base/error.hpp"
 #include "ritz/petsc/check.hpp"
+#include "ritz/petsc/solve_mass.hpp"
 #include "ritz/stages/full_loads.hpp"
 #include "support/full_runs.hpp"
 
