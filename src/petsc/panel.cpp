@@ -18,7 +18,7 @@ MPI_Datatype row_type() {
 
 /// y += sign A x, rows of eight. Compiled for wide registers too, and chosen at run time.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-__attribute__((target_clones("arch=haswell", "default")))
+__attribute__((target_clones("arch=x86-64-v3", "default")))
 #endif
 void add_product(PetscInt rows, const PetscInt* starts, const PetscInt* columns, const PetscScalar* values, double sign,
                  const double* x, double* y) {

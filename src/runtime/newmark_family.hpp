@@ -11,6 +11,13 @@ struct NewmarkFamily {
   double alpha_m = 0, alpha_f = 0;
 };
 
+/// The optimal member of given damping ρ∞ of the highest frequencies, [CH93] Eqs. 17, 18, 25.
+constexpr NewmarkFamily chung_hulbert(double rho) {
+  const double alpha_m = (2 * rho - 1) / (rho + 1), alpha_f = rho / (rho + 1);
+  const double surplus = 1 - alpha_m + alpha_f;
+  return {.beta = surplus * surplus / 4, .gamma = surplus - 0.5, .alpha_m = alpha_m, .alpha_f = alpha_f};
+}
+
 /// One step of y = [z, z', z''].
 ModeStep family_step(const NewmarkFamily& method, double stiffness, double damping, double dt);
 

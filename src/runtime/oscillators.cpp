@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rigid_stiffness.hpp"
 #include "ritz/base/error.hpp"
 
 namespace ritz::runtime {
@@ -23,6 +24,16 @@ Oscillators make_oscillators(const model::Modes& modes, const Damping& damping) 
     oscillators.damping[i] += damping.beta * lambda + 2 * ratio * std::sqrt(lambda);
   }
   return oscillators;
+}
+
+Oscillators make_oscillators(const model::Reduction& reduction, const Damping& damping) {
+  const Eigen::ArrayXd& stiffness = reduction.stiffness.array();
+  const double softest = rigid_stiffness * stiffness.maxCoeff();
+  model::Modes modes;
+  modes.eigenvalues = (stiffness > softest).select(stiffness, 0);
+  for (const double value : modes.eigenvalues)
+    modes.kinds.push_back(value > 0 ? model::ModeKind::flexible : model::ModeKind::rigid);
+  return make_oscillators(modes, damping);
 }
 
 double energy(const Oscillators& model, Eigen::Ref<const Eigen::VectorXd> z,

@@ -18,6 +18,7 @@ struct EigenProblem {
 struct Found {
   RitzPairs pairs;
   int iterations = 0;
+  Inverse inverse = {};
 };
 
 /// The `wanted` lowest flexible pairs (fewer only when there are no more), given some of them already. *Collective*.

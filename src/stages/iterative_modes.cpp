@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <memory>
 
 #include "ritz/base/error.hpp"
 #include "ritz/petsc/check.hpp"
@@ -14,6 +15,12 @@ namespace {
 
 constexpr std::uint64_t start_stream = 2000;
 constexpr int panel = petsc::panel_width;
+
+/// A multigrid cycle and the matrix that it is for.
+struct Cycle {
+  petsc::Matrix matrix;
+  petsc::Multigrid multigrid;
+};
 
 /// K − σM, positive definite.
 petsc::Matrix shifted(const Full& full, double sigma) {
@@ -44,20 +51,22 @@ int iterative_block(int wanted) {
 Found find_iteratively(const EigenProblem& problem, int wanted, const petsc::Tall& known,
                        const ModesProgress& progress) {
   progress("multigrid", 0);
-  const petsc::Matrix A = shifted(problem.full, safe_shift(problem));
-  const petsc::Multigrid cycle(A, near_null_space(problem.mesh, problem.dofs), "multigrid_");
+  petsc::Matrix A = shifted(problem.full, safe_shift(problem));
+  petsc::Multigrid levels(A, near_null_space(problem.mesh, problem.dofs), "multigrid_");
+  const auto cycle = std::make_shared<const Cycle>(std::move(A), std::move(levels));
+  const Inverse inverse = [cycle](const petsc::ConstTallRef& r, petsc::TallRef z) { cycle->multigrid.apply(r, z); };
   LobpcgOptions options;
   options.wanted = wanted;
   auto found = lobpcg(
       problem.full.stiffness, problem.full.mass, problem.norm_K,
-      [&](const petsc::ConstTallRef& r, petsc::TallRef z) { cycle.apply(r, z); }, problem.rigid,
-      start_block(problem, cycle, known, iterative_block(wanted)), options,
+      inverse, problem.rigid,
+      start_block(problem, cycle->multigrid, known, iterative_block(wanted)), options,
       [&](int done, int all) { progress("modes", double(done) / all); });
   if (found.converged < wanted)
     throw NumericalError("the eigensolver (LOBPCG with multigrid) converged to " + std::to_string(found.converged) +
                          " of " + std::to_string(wanted) + " modes in " + std::to_string(found.iterations) +
                          " iterations; use -solver direct, or a mesh of better shape");
-  return {std::move(found.pairs), found.iterations};
+  return {std::move(found.pairs), found.iterations, inverse};
 }
 
 }  // namespace ritz::stages

@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
 
 #include "ritz/base/error.hpp"
@@ -77,7 +78,7 @@ class Search {
       : problem_(problem),
         options_(options),
         progress_(progress),
-        solver_(problem.mesh.comm, "solve_"),
+        solver_(std::make_shared<petsc::Factorization>(problem.mesh.comm, "solve_")),
         most_(flexible_modes(problem.dofs, problem.rigid)) {}
 
   /// Pairs found so far, and how many of them to keep.
@@ -100,7 +101,9 @@ class Search {
   Found find(int wanted, const petsc::Tall& known) {
     if (options_.strategy == Strategy::iterative) return find_iteratively(problem_, wanted, known, progress_);
     if (options_.slepc) return find_by_krylov_schur(problem_, wanted);
-    return find_direct(problem_, wanted, known, options_, solver_, progress_);
+    auto pairs = find_direct(problem_, wanted, known, options_, *solver_, progress_);
+    pairs.inverse = [solver = solver_](const petsc::ConstTallRef& b, petsc::TallRef x) { solver->solve(b, x); };
+    return pairs;
   }
 
   /// Counts below a shift; when the count says that a mode is missing, goes on searching beside the known ones.
@@ -109,14 +112,17 @@ class Search {
       progress_("inertia count", 0);
       const Shift shift = choose_shift(found.pairs.values, kept);
       // Sylvester's law of inertia: the negative pivots of K − σM are the eigenvalues below σ.
-      solver_.factor(problem_.full.stiffness, problem_.full.mass, shift.sigma);
-      certificate = {model::Certified::inertia, shift.sigma, solver_.negative_pivots(),
+      const auto counter = options_.inverse == InverseUse::spent
+                               ? solver_
+                               : std::make_shared<petsc::Factorization>(problem_.mesh.comm, "solve_");
+      counter->factor(problem_.full.stiffness, problem_.full.mass, shift.sigma);
+      certificate = {model::Certified::inertia, shift.sigma, counter->negative_pivots(),
                      problem_.rigid.cols() + shift.below};
       const auto missing = certificate.counted - certificate.found;
       if (missing == 0) return;
       if (missing < 0) break;
       const auto wanted = std::min<Index>(found.pairs.values.size() + missing, most_);
-      found = find_direct(problem_, static_cast<int>(wanted), found.pairs.vectors, options_, solver_, progress_);
+      found = find(static_cast<int>(wanted), found.pairs.vectors);
       kept = kept_count(found.pairs.values, std::min<Index>(options_.count, most_), wanted == most_);
     }
     throw NumericalError("the modes could not be certified: " + std::to_string(certificate.counted) +
@@ -127,7 +133,7 @@ class Search {
   const EigenProblem& problem_;
   const ModesOptions& options_;
   const ModesProgress& progress_;
-  petsc::Factorization solver_;
+  std::shared_ptr<petsc::Factorization> solver_;
   Index most_;
 };
 
@@ -143,7 +149,7 @@ Eigen::VectorXd sort_by_energy(const EigenProblem& problem, petsc::TallRef vecto
 }
 
 /// Rigid and flexible pairs side by side, with the figures that say how good they are.
-ModesResult summarise(const EigenProblem& problem, const Search& search) {
+ModesResult summarise(const EigenProblem& problem, const ModesOptions& options, const Search& search) {
   const Full& full = problem.full;
   const MPI_Comm comm = problem.mesh.comm;
   const Index rigid = problem.rigid.cols(), flexible = search.kept, all = rigid + flexible;
@@ -178,6 +184,7 @@ ModesResult summarise(const EigenProblem& problem, const Search& search) {
   modes.kinds.resize(static_cast<std::size_t>(all), model::ModeKind::flexible);
   modes.certificate = search.certificate;
   result.iterations = search.found.iterations;
+  if (options.inverse == InverseUse::kept) result.inverse = search.found.inverse;
   return result;
 }
 
@@ -198,7 +205,7 @@ ModesResult linear_modes(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const F
   Search search(problem, options, progress);
   if (options.count > 0 && flexible_modes(dofs, rigid) > 0) search.run(earlier);
   else search.found.pairs.vectors.resize(rigid.rows(), 0);
-  ModesResult result = summarise(problem, search);
+  ModesResult result = summarise(problem, options, search);
   check_rigid_energies(result.modes, rigid.cols());
   if (search.kept < options.count)
     result.notes.push_back(std::to_string(options.count) + " modes were asked for, but the body has only " +

@@ -8,6 +8,7 @@
 #include "ritz/model/model.hpp"
 #include "ritz/petsc/factorization.hpp"
 #include "ritz/stages/assemble.hpp"
+#include "ritz/stages/inverse.hpp"
 
 namespace ritz::stages {
 
@@ -16,18 +17,23 @@ inline constexpr int spare_pairs = 4;
 
 enum class Strategy { direct, iterative };
 
+/// Whether later stages solve with K as the modes did. The count of the modes then takes a second factorization.
+enum class InverseUse { spent, kept };
+
 struct ModesOptions {
   int count = 20;  ///< flexible modes wanted
   Strategy strategy = Strategy::direct;
   bool slepc = false;  ///< the direct strategy by SLEPc's Krylov-Schur in place of block Lanczos
   int block = 4;
   double tolerance = 1e-10;
+  InverseUse inverse = InverseUse::spent;
 };
 
 struct ModesResult {
   model::Modes modes;
   petsc::Tall vectors;  ///< rows of free degrees of freedom, a column each mode
   int iterations = 0;
+  Inverse inverse;                 ///< empty where it is spent
   std::vector<std::string> notes;  ///< what a careful user should know
 };
 

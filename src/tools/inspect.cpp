@@ -43,6 +43,8 @@ void describe_body(const format::ModelReader& in, const std::string& name, std::
   if (in.has(format::schema::geometry, name)) describe_geometry(format::read_geometry(in, name), out);
   if (in.has(format::schema::basis, name)) describe_basis(format::basis_size(in, name), out);
   if (const auto modes = format::read_modes(in, name)) describe_modes(*modes, out);
+  if (const auto reduction = format::read_reduction(in, name)) describe_reduction(*reduction, out);
+  if (const auto polynomial = format::read_polynomial(in, name)) describe_polynomial(*polynomial, out);
   if (const auto inertia = format::read_inertia(in, name)) describe_inertia(*inertia, out);
   describe_loads(format::read_loads(in, name), out);
 }

@@ -83,6 +83,23 @@ void describe_modes(const model::Modes& modes, std::ostream& out) {
     item(out) << "* held to the rounding floor 10 ε‖K‖‖ψ‖, which is above the usual gate\n";
 }
 
+void describe_reduction(const model::Reduction& reduction, std::ostream& out) {
+  const auto r = reduction.stiffness.size();
+  const auto& sigma = reduction.singular_values;
+  out << heading("reduction") << r << " columns of " << sigma.size() << " that were found\n";
+  if (r > 0) item(out) << text("λ of UᵀKU %.6g … %.6g rad²/s²\n", reduction.stiffness[0], reduction.stiffness[r - 1]);
+  if (r > 0 && sigma.size() >= r)
+    item(out) << text("singular values %.6g … %.6g, of what is left out %.3g\n", sigma[0], sigma[r - 1],
+                      reduction.discarded);
+}
+
+void describe_polynomial(const model::Polynomial& p, std::ostream& out) {
+  const auto count = p.quadratic.size() + p.cubic.size() + p.quartic.size();
+  out << heading("polynomial") << "of " << p.r << " coordinates: " << grouped(p.quadratic.size()) << " quadratic, "
+      << grouped(p.cubic.size()) << " cubic, " << grouped(p.quartic.size()) << " quartic coefficients, "
+      << byte_size(static_cast<std::uint64_t>(8 * count)) << '\n';
+}
+
 void describe_inertia(const model::Inertia& inertia, std::ostream& out) {
   const auto centre = inertia.centre_of_mass();
   out << heading("inertia") << text("mass    %.9g kg\n", inertia.mass());

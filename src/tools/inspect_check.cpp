@@ -1,6 +1,7 @@
 #include "inspect_check.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <ostream>
 
 #include "inspect_text.hpp"
@@ -12,7 +13,7 @@ namespace ritz::tools {
 
 namespace {
 
-constexpr double orthonormality_gate = 1e-10;
+constexpr double orthonormality_gate = 1e-10, stiffness_gate = 1e-9;
 
 void require(bool holds, const format::ModelReader& in, const std::string& what) {
   if (!holds) throw InputError(in.name() + ": " + what + "; do not use this model, write it again with ritz-reduce");
@@ -58,6 +59,32 @@ std::string check_inertia(const format::ModelReader& in, const model::Inertia& i
   return text("UᵀMU = I to %.1e", size);
 }
 
+std::string check_reduction(const format::ModelReader& in, const model::Reduction& reduction) {
+  require(
+      reduction.stiffness.allFinite() && reduction.singular_values.allFinite() && std::isfinite(reduction.discarded),
+      in, "a number of the reduction is not finite");
+  require(std::ranges::is_sorted(reduction.stiffness), in, "the diagonal of UᵀKU does not ascend");
+  require(std::ranges::is_sorted(reduction.singular_values, std::ranges::greater{}), in,
+          "the singular values do not descend");
+  return text("%td columns of a reduction, softest first", reduction.stiffness.size());
+}
+
+std::string check_polynomial(const format::ModelReader& in, const model::Body& body) {
+  const auto& p = *body.polynomial;
+  require(p.quadratic.allFinite() && p.cubic.allFinite() && p.quartic.allFinite(), in,
+          "a coefficient of the polynomial is not a finite number");
+  if (!body.reduction && !body.modes) return "the polynomial's coefficients are finite";
+  const Eigen::VectorXd& stiffness = body.reduction ? body.reduction->stiffness : body.modes->eigenvalues;
+  double error = 0;
+  for (Eigen::Index i = 0, at = 0; i < p.r; ++i)
+    for (Eigen::Index j = i; j < p.r; ++j, ++at)
+      error = std::max(error, std::abs(p.quadratic[at] - (i == j ? stiffness[i] : 0)));
+  error /= stiffness.cwiseAbs().maxCoeff();
+  require(error <= stiffness_gate, in,
+          text("the polynomial's K̃(0) differs from UᵀKU by %.1e of its largest entry, more than 1e-9", error));
+  return text("the polynomial's K̃(0) = UᵀKU to %.1e", error);
+}
+
 }  // namespace
 
 void check(const format::ModelReader& in, std::ostream& out) {
@@ -75,6 +102,8 @@ void check(const format::ModelReader& in, std::ostream& out) {
     ok(check_modes(in, *model.body.modes));
     ok(check_certificate(in, model.body.modes->certificate));
   }
+  if (model.body.reduction) ok(check_reduction(in, *model.body.reduction));
+  if (model.body.polynomial) ok(check_polynomial(in, model.body));
   if (model.body.inertia) ok(check_inertia(in, *model.body.inertia));
 }
 

@@ -23,7 +23,7 @@ int main(int argc, char** argv) {
   try {
     const auto parsed = tools::parse_run_options(argc, argv);
     if (const auto* help = std::get_if<tools::Help>(&parsed)) std::cout << help->text;
-    else tools::run(std::get<tools::RunOptions>(parsed), std::cout);
+    else tools::run(std::get<tools::RunOptions>(parsed), std::cout, std::cerr);
     return exit_done;
   } catch (const InputError& error) {
     return fail(exit_input, error.what());

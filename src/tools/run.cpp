@@ -13,6 +13,7 @@
 #include "run_body.hpp"
 #include "run_frames.hpp"
 #include "run_loads.hpp"
+#include "run_nonlinear.hpp"
 
 namespace ritz::tools {
 namespace {
@@ -40,25 +41,43 @@ std::int64_t count_steps(const scene::Scene& scene) {
   return std::get<scene::Static>(scene.analysis).steps;
 }
 
-void run_scene(const RunOptions& options, const format::ModelReader& in, std::ostream& out) {
+Cost run_analysis(const RunOptions& options, const scene::Scene& scene, const model::Body& body, Recorder& recorder) {
+  const Visible progress = options.voice == Voice::quiet ? Visible::no : on_terminal();
+  const auto* time = std::get_if<scene::Time>(&scene.analysis);
+  if (body.polynomial)
+    return time ? run_nonlinear_transient(scene, *time, body, options.precision, recorder, progress)
+                : run_nonlinear_statics(scene, std::get<scene::Static>(scene.analysis), body, options.precision,
+                                        recorder);
+  if (options.precision == Precision::single)
+    throw InputError("--single is for nonlinear models, and this one has no polynomial: leave it out");
+  return time ? run_transient(scene, *time, body, recorder, progress)
+              : run_statics(scene, std::get<scene::Static>(scene.analysis), body, recorder);
+}
+
+void say_cost(const Cost& cost, const scene::Scene& scene, const model::Body& body, std::ostream& out) {
+  const bool timed = std::holds_alternative<scene::Time>(scene.analysis);
+  out << cost.steps << (timed ? " steps" : " load steps") << " of " << reduced_size(body) << " coordinates in "
+      << std::setprecision(3) << cost.seconds << " s, " << 1e6 * cost.seconds / static_cast<double>(cost.steps)
+      << " µs a step; ";
+  if (body.polynomial) out << cost.iterations << " Newton iterations, " << cost.rejected << " steps rejected; ";
+}
+
+void run_scene(const RunOptions& options, const format::ModelReader& in, std::ostream& out, std::ostream& err) {
   const scene::Scene scene = scene::read(options.scene);
   const std::int64_t steps = count_steps(scene);
   const auto frame_states = frame_schedule(options, steps);
   const model::Body body = read_body(in, scene, frame_states.empty() ? Frames::none : Frames::some);
 
-  const auto plan = plan_scene(scene, steps, frame_states, body.modes->eigenvalues.size());
+  const auto plan = plan_scene(scene, steps, frame_states, reduced_size(body));
   Recorder recorder(options.output, body, plan, frame_states);
   if (!scene.probes.empty()) recorder.add_probes(scene.probes, probe_matrix(scene, body));
 
-  const Visible progress = options.voice == Voice::quiet ? Visible::no : on_terminal();
-  const auto* time = std::get_if<scene::Time>(&scene.analysis);
-  const Cost cost = time ? run_transient(scene, *time, body, recorder, progress)
-                         : run_statics(scene, std::get<scene::Static>(scene.analysis), body, recorder);
+  const Cost cost = run_analysis(options, scene, body, recorder);
   recorder.commit();
+  if (!cost.warning.empty()) err << "ritz-run: warning: " << cost.warning << '\n';
   if (options.voice == Voice::quiet) return;
-  out << cost.steps << (time ? " steps" : " load steps") << " of " << plan.columns << " coordinates in "
-      << std::setprecision(3) << cost.seconds << " s, " << 1e6 * cost.seconds / static_cast<double>(cost.steps)
-      << " µs a step; " << frame_states.size() << " frames in " << options.output.string() << '\n';
+  say_cost(cost, scene, body, out);
+  out << frame_states.size() << " frames in " << options.output.string() << '\n';
 }
 
 void animate(const RunOptions& options, const format::ModelReader& in, std::ostream& out) {
@@ -89,11 +108,11 @@ void animate(const RunOptions& options, const format::ModelReader& in, std::ostr
 
 }  // namespace
 
-void run(const RunOptions& options, std::ostream& out) {
+void run(const RunOptions& options, std::ostream& out, std::ostream& err) {
   const format::ModelReader in(options.model);
   protect_inputs(options);
   if (options.animate_mode) animate(options, in, out);
-  else run_scene(options, in, out);
+  else run_scene(options, in, out, err);
 }
 
 }  // namespace ritz::tools

@@ -18,8 +18,10 @@ using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
 runtime::Oscillators oscillators(const scene::Scene& scene, const model::Body& body) {
-  const auto& damping = scene.damping;
-  return runtime::make_oscillators(*body.modes, {.alpha = damping.alpha, .beta = damping.beta, .ratio = damping.ratio});
+  const auto& [alpha, beta, ratio] = scene.damping;
+  const runtime::Damping damping{.alpha = alpha, .beta = beta, .ratio = ratio};
+  return body.reduction ? runtime::make_oscillators(*body.reduction, damping)
+                        : runtime::make_oscillators(*body.modes, damping);
 }
 
 runtime::Integrator integrator(const scene::Time& time) {
@@ -54,7 +56,7 @@ Cost run_transient(const scene::Scene& scene, const scene::Time& time, const mod
   auto state = runtime::make_state(model, method, rest, rest, begin);
   auto workspace = runtime::make_workspace(model, method, time.step);
 
-  Cost cost{.steps = scene::step_count(time), .seconds = 0};
+  Cost cost{.steps = scene::step_count(time)};
   Progress line(cost.steps, progress);
   recorder.record(0, state.z());
   for (std::int64_t n = 1; n <= cost.steps; ++n) {
@@ -75,7 +77,7 @@ Cost run_statics(const scene::Scene& scene, const scene::Static& statics, const 
   const auto model = oscillators(scene, body);
   const ReducedLoad load = reduce_loads(scene, body);
   Eigen::VectorXd force(model.size());
-  Cost cost{.steps = statics.steps, .seconds = 0};
+  Cost cost{.steps = statics.steps};
   for (int n = 0; n <= statics.steps; ++n) {
     const auto started = Clock::now();
     const double t = static_cast<double>(n) / statics.steps;

@@ -1,6 +1,8 @@
-// The three things ritz-run can do with a body: let time pass, load it slowly, swing one of its modes.
+// The three things ritz-run can do with a body: let time pass, load it slowly, swing one of its modes. Here with linear
+// models; run_nonlinear.hpp does the first two with nonlinear ones.
 #pragma once
 #include <cstdint>
+#include <string>
 
 #include "progress.hpp"
 #include "ritz/model/model.hpp"
@@ -13,6 +15,9 @@ namespace ritz::tools {
 struct Cost {
   std::int64_t steps = 0;
   double seconds = 0;
+  std::int64_t iterations = 0;  ///< Newton's, of nonlinear models
+  std::int64_t rejected = 0;    ///< steps that did not converge and were halved
+  std::string warning = {};     ///< a sentence, or nothing
 };
 
 /// From rest at t = 0 to the scene's end. Throws NumericalError when a step is not finite.

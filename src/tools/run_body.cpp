@@ -15,7 +15,8 @@ Part required(std::optional<Part> part, const format::ModelReader& in, const std
 
 void fit(Eigen::Index got, Eigen::Index wanted, const format::ModelReader& in, const std::string& part) {
   if (got != wanted)
-    throw InputError(in.name() + " is damaged: its " + part + " do not fit its " + std::to_string(wanted) + " modes");
+    throw InputError(in.name() + " is damaged: its " + part + " do not fit its " + std::to_string(wanted) +
+                     " coordinates");
 }
 
 /// Whether any load or probe acts on a single vertex (or, else, on a named set).
@@ -33,11 +34,18 @@ std::string first_body(const format::ModelReader& in) {
 
 }  // namespace
 
+Eigen::Index reduced_size(const model::Body& body) {
+  return body.reduction ? body.reduction->stiffness.size() : body.modes->eigenvalues.size();
+}
+
 model::Body read_body(const format::ModelReader& in, const scene::Scene& scene, Frames frames) {
   model::Body body;
   body.name = first_body(in);
-  body.modes = required(format::read_modes(in, body.name), in, "modes");
-  const Eigen::Index r = body.modes->eigenvalues.size();
+  body.reduction = format::read_reduction(in, body.name);
+  if (!body.reduction) body.modes = required(format::read_modes(in, body.name), in, "modes");
+  const Eigen::Index r = reduced_size(body);
+  body.polynomial = format::read_polynomial(in, body.name);
+  if (body.polynomial) fit(body.polynomial->r, r, in, "polynomial");
   if (frames == Frames::some || any_target<std::int64_t>(scene)) {
     body.geometry = format::read_geometry(in, body.name);
     body.basis = format::read_basis(in, {}, body.name);
@@ -57,6 +65,9 @@ model::Body read_body(const format::ModelReader& in, const scene::Scene& scene, 
 model::Body read_mode(const format::ModelReader& in, std::int64_t index) {
   model::Body body;
   body.name = first_body(in);
+  if (in.has(format::schema::reduction, body.name))
+    throw InputError(in.name() + " has a reduced basis whose columns are not modes: --animate-mode needs a model of " +
+                     "modes alone, reduced without -derivatives, -snapshots and -basis");
   body.modes = required(format::read_modes(in, body.name), in, "modes");
   const Eigen::Index r = body.modes->eigenvalues.size();
   fit(format::basis_size(in, body.name).columns, r, in, "columns of U");

@@ -8,8 +8,12 @@ namespace ritz::tools {
 
 enum class Frames : unsigned char { none, some };
 
-/// Reads the first body: always its modes; points, cells and U for frames or single vertices; loads for named sets;
-/// inertia for gravity and shaking. Throws InputError when a part is missing or does not fit the others.
+/// r, the number of reduced coordinates: of the reduction, or else of the modes.
+Eigen::Index reduced_size(const model::Body& body);
+
+/// Reads the first body: its reduction or, where U is the modes, these; the polynomial if there is one; points, cells
+/// and U for frames or single vertices; loads for named sets; inertia for gravity and shaking. Throws InputError when a
+/// part is missing or does not fit the others.
 model::Body read_body(const format::ModelReader& in, const scene::Scene& scene, Frames frames);
 
 /// What it takes to draw mode `index` (from 0): geometry, modes, and U with that column alone.

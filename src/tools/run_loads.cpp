@@ -5,6 +5,7 @@
 #include "ritz/base/error.hpp"
 #include "ritz/base/nearest.hpp"
 #include "ritz/runtime/reconstruction.hpp"
+#include "run_body.hpp"
 
 namespace ritz::tools {
 namespace {
@@ -101,7 +102,7 @@ ReducedLoad reduce_loads(const scene::Scene& scene, const model::Body& body) {
 }
 
 Eigen::MatrixXd probe_matrix(const scene::Scene& scene, const model::Body& body) {
-  Eigen::MatrixXd P(3 * scene.probes.size(), body.modes->eigenvalues.size());
+  Eigen::MatrixXd P(3 * scene.probes.size(), reduced_size(body));
   Eigen::Index row = 0;
   for (const auto& probe : scene.probes) {
     P.middleRows<3>(row) = unit_force(body, probe.target).shared.transpose();

@@ -41,6 +41,9 @@ void declare(CLI::App& app, RunOptions& options) {
       ->check(at_least(0));
   app.add_option("--every", options.every, "Write a frame every N steps")->type_name("N")->check(at_least(1));
   app.add_flag_callback(
+      "--single", [&] { options.precision = Precision::single; },
+      "Compute in single precision (nonlinear models only)");
+  app.add_flag_callback(
       "--quiet", [&] { options.voice = Voice::quiet; }, "Print nothing but errors");
 }
 

@@ -9,6 +9,7 @@
 namespace ritz::tools {
 
 enum class Voice : unsigned char { normal, quiet };
+enum class Precision : unsigned char { twofold, single };
 
 struct RunOptions {
   std::filesystem::path model;
@@ -17,6 +18,7 @@ struct RunOptions {
   std::optional<std::int64_t> animate_mode;  ///< from 1, all modes counted, rigid ones too
   std::optional<std::int64_t> frames;        ///< how many displacement frames, evenly spread
   std::optional<std::int64_t> every;         ///< a frame every so many steps
+  Precision precision = Precision::twofold;  ///< of the nonlinear runtime
   Voice voice = Voice::normal;
 };
 

@@ -44,6 +44,23 @@ inline void expect_same(const std::optional<model::Modes>& a, const std::optiona
   EXPECT_EQ(a->certificate.found, b->certificate.found);
 }
 
+inline void expect_same(const std::optional<model::Reduction>& a, const std::optional<model::Reduction>& b) {
+  ASSERT_EQ(a.has_value(), b.has_value());
+  if (!a) return;
+  EXPECT_EQ(a->stiffness, b->stiffness);
+  EXPECT_EQ(a->singular_values, b->singular_values);
+  EXPECT_EQ(a->discarded, b->discarded);
+}
+
+inline void expect_same(const std::optional<model::Polynomial>& a, const std::optional<model::Polynomial>& b) {
+  ASSERT_EQ(a.has_value(), b.has_value());
+  if (!a) return;
+  EXPECT_EQ(a->r, b->r);
+  EXPECT_EQ(a->quadratic, b->quadratic);
+  EXPECT_EQ(a->cubic, b->cubic);
+  EXPECT_EQ(a->quartic, b->quartic);
+}
+
 inline void expect_same(const std::optional<model::Inertia>& a, const std::optional<model::Inertia>& b) {
   ASSERT_EQ(a.has_value(), b.has_value());
   if (!a) return;
@@ -88,6 +105,8 @@ inline void expect_same(const model::Model& a, const model::Model& b) {
   expect_same(a.body.geometry, b.body.geometry);
   EXPECT_EQ(a.body.basis.U, b.body.basis.U);
   expect_same(a.body.modes, b.body.modes);
+  expect_same(a.body.reduction, b.body.reduction);
+  expect_same(a.body.polynomial, b.body.polynomial);
   expect_same(a.body.inertia, b.body.inertia);
   expect_same(a.body.loads, b.body.loads);
   expect_same(a.provenance, b.provenance);

@@ -8,7 +8,7 @@
 #include "format/temporary.hpp"
 #include "ritz/format/contents.hpp"
 #include "ritz/format/parts.hpp"
-#include "support/sample_model.hpp"
+#include "support/nonlinear_sample_model.hpp"
 
 namespace ritz::format {
 namespace {
@@ -22,6 +22,17 @@ TEST(RoundTrip, KeepsEveryPart) {
   const auto path = folder / "model.h5";
   write(path, sample_model());
   expect_same(read(path), sample_model());
+}
+
+TEST(RoundTrip, KeepsAReductionAndItsPolynomial) {
+  const Folder folder;
+  const auto path = folder / "model.h5";
+  write(path, test::nonlinear_sample_model());
+  expect_same(read(path), test::nonlinear_sample_model());
+  auto model = test::nonlinear_sample_model();
+  model.body.polynomial.reset();
+  write(path, model);
+  expect_same(read(path), model);
 }
 
 TEST(RoundTrip, KeepsAbsentPartsAbsent) {

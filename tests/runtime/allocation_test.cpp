@@ -7,6 +7,7 @@
 #include "ritz/runtime/integrators.hpp"
 #include "ritz/runtime/reconstruction.hpp"
 #include "ritz/runtime/step.hpp"
+#include "runtime/nonlinear_support.hpp"
 
 namespace {
 std::atomic<long> news = 0;
@@ -63,6 +64,43 @@ TEST(Allocation, NoneInAStepOfAnyIntegrator) {
     EXPECT_EQ(news, before) << integrator.name;
     EXPECT_GT(state.z().norm(), 0);
   }
+}
+
+template <class Scalar>
+void expect_no_allocation(Eigen::Index size) {
+  for (const auto& method : test::all_methods<Scalar>())
+    for (const int iterations : {25, 1}) {  // one iteration: the step is rejected, halved, and given up
+      auto motion = test::start(test::random_polynomial(size), method, 0.1, Eigen::VectorXd::Ones(size), 1,
+                                {.alpha = 0.1, .beta = 0.01, .ratio = {}}, {.iterations = iterations, .halvings = 3});
+      const long before = news;
+      {
+        const NoEigenMalloc forbidden;
+        for (int n = 0; n < 3; ++n) motion.step();
+        motion.energy();
+      }
+      EXPECT_EQ(news, before) << method.name << ' ' << size;
+    }
+}
+
+TEST(Allocation, NoneInANonlinearStep) {
+  expect_no_allocation<double>(7);
+  expect_no_allocation<float>(7);
+  expect_no_allocation<double>(40);
+}
+
+TEST(Allocation, NoneWhereTheMatrixIsIndefinite) {
+  auto factors = make_factors<double>(40);
+  const Eigen::MatrixXd matrix = Eigen::VectorXd::LinSpaced(40, -1, 2.5).asDiagonal();
+  Eigen::VectorXd x = matrix * Eigen::VectorXd::Ones(40);
+  const long before = news;
+  {
+    const NoEigenMalloc forbidden;
+    factor(matrix, factors);
+    solve_in_place(factors, x);
+  }
+  EXPECT_EQ(news, before);
+  EXPECT_FALSE(factors.definite);
+  EXPECT_LE((x - Eigen::VectorXd::Ones(40)).norm(), 1e-13);
 }
 
 TEST(Allocation, NoneInReconstruction) {

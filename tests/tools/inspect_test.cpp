@@ -14,7 +14,7 @@
 #include "ritz/format/parts.hpp"
 #include "ritz/tools/inspect_check.hpp"
 #include "ritz/tools/inspect_text.hpp"
-#include "support/sample_model.hpp"
+#include "support/nonlinear_sample_model.hpp"
 
 namespace ritz::tools {
 namespace {
@@ -82,6 +82,24 @@ TEST_F(Inspect, ChecksASoundModel) {
   const auto lines = checked(test::sample_model());
   EXPECT_THAT(lines, AllOf(HasSubstr("ok  35 datasets"), HasSubstr("fit together"), HasSubstr("ok  UᵀMU = I")));
   EXPECT_EQ(std::ranges::count(lines, '\n'), 6);
+}
+
+TEST_F(Inspect, TellsAndChecksAReductionAndItsPolynomial) {
+  EXPECT_THAT(
+      described(test::nonlinear_sample_model()),
+      AllOf(HasSubstr("2 columns of 3 that were found"), HasSubstr("singular values 2 … 1, of what is left out 0.25"),
+            HasSubstr("3 quadratic, 4 cubic, 5 quartic coefficients, 96 B")));
+  EXPECT_THAT(checked(test::nonlinear_sample_model()), HasSubstr("ok  the polynomial's K̃(0) = UᵀKU to 0.0e+00"));
+  const auto wrong = [&](const char* sentence, const std::function<void(model::Body&)>& change) {
+    auto model = test::nonlinear_sample_model();
+    change(model.body);
+    EXPECT_THAT([&] { checked(model); }, ThrowsMessage<InputError>(HasSubstr(sentence)));
+  };
+  wrong("K̃(0) differs from UᵀKU", [](auto& b) { b.polynomial->quadratic[1] = 1e-7; });
+  wrong("K̃(0) differs from UᵀKU", [](auto& b) { b.reduction->stiffness[1] = 9.1; });
+  wrong("not a finite", [](auto& b) { b.polynomial->quartic[3] = std::numeric_limits<double>::infinity(); });
+  wrong("singular values do not descend", [](auto& b) { b.reduction->singular_values[2] = 1.5; });
+  wrong("does not ascend", [](auto& b) { b.reduction->stiffness << 9, 4; });
 }
 
 TEST_F(Inspect, FindsWhatIsWrong) {

@@ -37,7 +37,7 @@ TEST(RunOptions, AMode) {
 
 TEST(RunOptions, HelpNamesEveryOption) {
   const auto help = std::get<Help>(parse({"--help"})).text;
-  for (const auto* option : {"--scene", "--output", "--animate-mode", "--frames", "--every", "--quiet"})
+  for (const auto* option : {"--scene", "--output", "--animate-mode", "--frames", "--every", "--single", "--quiet"})
     EXPECT_THAT(help, HasSubstr(option));
 }
 

@@ -55,10 +55,11 @@ class RunFolder {
   std::filesystem::path path_;
 };
 
+/// What a run says, its warnings after the rest.
 inline std::string run(const tools::RunOptions& options) {
-  std::ostringstream out;
-  tools::run(options, out);
-  return out.str();
+  std::ostringstream out, err;
+  tools::run(options, out, err);
+  return out.str() + err.str();
 }
 
 struct Csv {

@@ -25,6 +25,9 @@ struct Damping {
 /// d_i = α + β λ_i + 2 ζ_i ω_i; a rigid mode has λ = 0 and d = α. Throws InputError for an eigenvalue that is negative.
 Oscillators make_oscillators(const model::Modes& modes, const Damping& damping);
 
+/// The same over a basis that is not of modes: ω_i² is the diagonal of UᵀKU, and below 1e-10 of its largest 0 (rigid).
+Oscillators make_oscillators(const model::Reduction& reduction, const Damping& damping);
+
 /// ½ (‖z'‖² + Σ λ_i z_i²), J.
 double energy(const Oscillators& model, Eigen::Ref<const Eigen::VectorXd> z,
               Eigen::Ref<const Eigen::VectorXd> velocity);

@@ -24,7 +24,8 @@ struct StepLoad {
 
 enum class Status : unsigned char {
   done,
-  not_finite  ///< the step was rejected, the state is as before
+  not_finite,    ///< the step was rejected, the state is as before
+  not_converged  ///< the same, of a nonlinear model
 };
 
 struct Outcome {

@@ -1,0 +1,134 @@
+// The reduced forces against one symmetric matrix-vector product (OpenBLAS dsymv) of the quartic matrix, measured in
+// turns in the same run. Every row prints the ratio; bars are in the issue tracker, none is a test.
+//   cmake --build BUILD --target benchmark-runtime
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+#include <random>
+
+#include "ritz/runtime/forces_batch.hpp"
+#include "ritz/runtime/nonlinear_step.hpp"
+
+extern "C" void dsymv_(const char* uplo, const int* n, const double* alpha, const double* A, const int* lda,
+                       const double* x, const int* incx, const double* beta, double* y, const int* incy);
+
+namespace ritz::runtime {
+namespace {
+
+model::Polynomial random_polynomial(Eigen::Index r) {
+  std::mt19937 generator(1);
+  std::normal_distribution<double> normal;
+  const auto random = [&](Eigen::Index n) {
+    return Eigen::VectorXd::NullaryExpr(n, [&] { return normal(generator); });
+  };
+  const Eigen::Index pairs = r * (r + 1) / 2, triples = pairs * (r + 2) / 3;
+  return {r, random(pairs), random(triples), random(triples * (r + 3) / 4)};
+}
+
+template <class Work>
+double seconds(Work&& work) {
+  const auto begin = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+/// dsymv of the p x p matrix of r coordinates, p = r(r+1)/2.
+struct Symv {
+  explicit Symv(Eigen::Index r) : n(static_cast<int>(r * (r + 1) / 2)), A(Eigen::MatrixXd::Ones(n, n)) {
+    x = y = Eigen::VectorXd::Ones(n);
+  }
+  void operator()() {
+    const double one = 1, zero = 0;
+    const int next = 1;
+    dsymv_("U", &n, &one, A.data(), &n, x.data(), &next, &zero, y.data(), &next);
+  }
+  int n;
+  Eigen::MatrixXd A;
+  Eigen::VectorXd x, y;
+};
+
+/// The fastest of many turns, µs: what the machine can do when nobody else uses it.
+struct Fastest {
+  double microseconds = 1e30;
+  template <class Work>
+  void turn(int times, Work&& work) {
+    const double took = seconds([&] {
+      for (int i = 0; i < times; ++i) work();
+    });
+    microseconds = std::min(microseconds, 1e6 * took / times);
+  }
+};
+
+template <class Scalar>
+void evaluation(benchmark::State& state) {
+  const Eigen::Index r = state.range(0);
+  const auto forces = make_forces<Scalar>(random_polynomial(r));
+  auto result = make_evaluation(forces);
+  const Vector<Scalar> z = Vector<Scalar>::LinSpaced(r, -1, 1);
+  Symv symv(r);
+  Fastest ours, theirs;
+  const int times = static_cast<int>(std::max<Eigen::Index>(1, 4000000 / (r * r * r * r)));
+  for (auto _ : state) {
+    ours.turn(times, [&] { evaluate(forces, z, result); });
+    theirs.turn(times, [&] { symv(); });
+  }
+  state.counters["us"] = ours.microseconds;
+  state.counters["dsymv_us"] = theirs.microseconds;
+  state.counters["ratio"] = ours.microseconds / theirs.microseconds;
+}
+BENCHMARK(evaluation<double>)->Arg(20)->Arg(30)->Arg(40)->Arg(60);
+BENCHMARK(evaluation<float>)->Arg(20)->Arg(30)->Arg(40)->Arg(60);
+
+void sixteen_instances(benchmark::State& state) {
+  const Eigen::Index r = state.range(0), instances = 16;
+  const auto forces = make_forces<double>(random_polynomial(r));
+  auto single = make_evaluation(forces);
+  auto batch = make_batch_evaluation(forces, instances);
+  const Eigen::MatrixXd z = Eigen::MatrixXd::Random(r, instances);
+  Fastest together, apart;
+  for (auto _ : state) {
+    together.turn(1, [&] { evaluate_batch(forces, z, batch); });
+    apart.turn(1, [&] {
+      for (Eigen::Index i = 0; i < instances; ++i) evaluate(forces, z.col(i), single);
+    });
+  }
+  state.counters["us"] = together.microseconds / instances;
+  state.counters["single_us"] = apart.microseconds / instances;
+  state.counters["ratio"] = together.microseconds / apart.microseconds;
+}
+BENCHMARK(sixteen_instances)->Arg(20)->Arg(30)->Arg(40);
+
+/// A step of implicit Euler against the evaluations and factorizations that it made, measured by themselves.
+void implicit_step(benchmark::State& state) {
+  const Eigen::Index r = state.range(0);
+  auto polynomial = random_polynomial(r);
+  polynomial.quadratic *= 1e-3;
+  const auto model = make_nonlinear_model<double>(polynomial, {});
+  const auto method = nonlinear_implicit_euler<double>();
+  const double dt = 0.05;
+  auto workspace = make_workspace(model, method, dt);
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(r), load = Eigen::VectorXd::Ones(r);
+  const auto start = make_state<double>(model, method.history, rest, rest, load);
+  auto moving = start;
+  NonlinearOutcome outcome;
+  Fastest whole, evaluating, factoring;
+  const Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(r, r) * 400;
+  for (auto _ : state) {
+    moving = start;
+    whole.turn(1, [&] { outcome = step<double>(model, moving, {load, load}, dt, workspace); });
+    evaluating.turn(1, [&] { evaluate(model.forces, moving.z(), workspace.at_point); });
+    factoring.turn(1, [&] { factor(matrix, workspace.factors); });
+  }
+  const double parts = outcome.evaluations * evaluating.microseconds + outcome.iterations * factoring.microseconds;
+  state.counters["us"] = whole.microseconds;
+  state.counters["iterations"] = outcome.iterations;
+  state.counters["rejected"] = outcome.rejected;
+  state.counters["ratio"] = whole.microseconds / parts;
+}
+BENCHMARK(implicit_step)->Arg(20)->Arg(30)->Arg(40)->Arg(60);
+
+}  // namespace
+}  // namespace ritz::runtime
+
+BENCHMARK_MAIN();

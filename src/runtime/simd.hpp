@@ -1,0 +1,45 @@
+// Registers of 32 bytes as plain values, and functions compiled for narrow and wide machines at once.
+#pragma once
+#include <cstddef>
+
+// One version for AVX2 with FMA, one for what the compiler was told; the machine chooses when the program starts.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12
+#define RITZ_WIDE __attribute__((target_clones("arch=x86-64-v3", "default")))
+#else
+#define RITZ_WIDE
+#endif
+#define RITZ_INLINE inline __attribute__((always_inline))
+
+namespace ritz::runtime {
+
+inline constexpr std::size_t pack_bytes = 32;
+
+/// How many numbers a register holds.
+template <class Scalar>
+inline constexpr std::ptrdiff_t lanes = static_cast<std::ptrdiff_t>(pack_bytes / sizeof(Scalar));
+
+/// Always on 32 bytes, and may stand for any numbers. GCC's vectors become pairs of narrow registers where the machine
+/// has no wide ones.
+template <class Scalar>
+struct PackOf;
+template <>
+struct PackOf<double> {
+  typedef double type __attribute__((vector_size(32), may_alias));
+};
+template <>
+struct PackOf<float> {
+  typedef float type __attribute__((vector_size(32), may_alias));
+};
+template <class Scalar>
+using Pack = typename PackOf<Scalar>::type;
+
+template <class Scalar>
+RITZ_INLINE const Pack<Scalar>* packs(const Scalar* p) {
+  return reinterpret_cast<const Pack<Scalar>*>(p);
+}
+template <class Scalar>
+RITZ_INLINE Pack<Scalar>* packs(Scalar* p) {
+  return reinterpret_cast<Pack<Scalar>*>(p);
+}
+
+}  // namespace ritz::runtime

@@ -1,0 +1,184 @@
+#include "ritz/stages/derivative_loads.hpp"
+
+#include "ritz/fem/dispatch.hpp"
+#include "ritz/fem/strain.hpp"
+#include "ritz/stages/vertex_graph.hpp"
+
+namespace ritz::stages {
+namespace {
+
+constexpr int lanes = 8;  ///< modes side by side, so that one instruction serves several pairs
+
+int padded(int modes) { return (modes + lanes - 1) / lanes * lanes; }
+
+/// What the lanes of row i hold: j from i rounded down to the padded number of modes.
+int first_lane(int i) { return i / lanes * lanes; }
+
+/// Displacement gradients (9 rows) and stresses S(G) (6: xx yy zz xy yz zx) at one point, a column a mode.
+using Modal = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+struct Point {
+  Modal G, S;
+};
+
+/// One quadrature point of one cell: everything that the inner loop needs.
+struct Inner {
+  int vertices;
+  const double* gradients;  ///< weight ∇N_a, 3 a vertex
+  double lambda, mu;
+  int width;  ///< padded number of modes
+  const double *G, *S;
+};
+
+/// Adds row i's pairs to `to`, 3 rows a vertex of the cell, `width` apart.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+__attribute__((target_clones("arch=x86-64-v3", "default")))
+#endif
+void add_row(const Inner& in, int i, double* to, int stride) {
+  const int start = first_lane(i);
+  double g[9], s[6];
+  for (int r = 0; r < 9; ++r) g[r] = in.G[r * in.width + i];
+  for (int r = 0; r < 6; ++r) s[r] = in.S[r * in.width + i];
+  for (int j = start; j < in.width; j += lanes) {
+    const double *G = in.G + j, *S = in.S + j;
+    const int w = in.width;
+    double P[9][lanes];
+    for (int l = 0; l < lanes; ++l) {
+      const double a[9] = {G[l],         G[w + l],     G[2 * w + l], G[3 * w + l], G[4 * w + l],
+                           G[5 * w + l], G[6 * w + l], G[7 * w + l], G[8 * w + l]};
+      const double t[6] = {S[l], S[w + l], S[2 * w + l], S[3 * w + l], S[4 * w + l], S[5 * w + l]};
+      // q = G_iᵀ G_j, symmetrised; matrices are stored row by row.
+      const double xx = g[0] * a[0] + g[3] * a[3] + g[6] * a[6], yy = g[1] * a[1] + g[4] * a[4] + g[7] * a[7],
+                   zz = g[2] * a[2] + g[5] * a[5] + g[8] * a[8];
+      const double xy = g[0] * a[1] + g[3] * a[4] + g[6] * a[7] + g[1] * a[0] + g[4] * a[3] + g[7] * a[6];
+      const double yz = g[1] * a[2] + g[4] * a[5] + g[7] * a[8] + g[2] * a[1] + g[5] * a[4] + g[8] * a[7];
+      const double zx = g[2] * a[0] + g[5] * a[3] + g[8] * a[6] + g[0] * a[2] + g[3] * a[5] + g[6] * a[8];
+      const double trace = in.lambda * (xx + yy + zz);
+      for (int r = 0; r < 3; ++r) {
+        const double *b = g + 3 * r, *c = a + 3 * r;
+        P[3 * r][l] = b[0] * t[0] + b[1] * t[3] + b[2] * t[5] + c[0] * s[0] + c[1] * s[3] + c[2] * s[5];
+        P[3 * r + 1][l] = b[0] * t[3] + b[1] * t[1] + b[2] * t[4] + c[0] * s[3] + c[1] * s[1] + c[2] * s[4];
+        P[3 * r + 2][l] = b[0] * t[5] + b[1] * t[4] + b[2] * t[2] + c[0] * s[5] + c[1] * s[4] + c[2] * s[2];
+      }
+      P[0][l] += trace + 2 * in.mu * xx;
+      P[4][l] += trace + 2 * in.mu * yy;
+      P[8][l] += trace + 2 * in.mu * zz;
+      P[1][l] += in.mu * xy;
+      P[3][l] += in.mu * xy;
+      P[5][l] += in.mu * yz;
+      P[7][l] += in.mu * yz;
+      P[2][l] += in.mu * zx;
+      P[6][l] += in.mu * zx;
+    }
+    for (int v = 0; v < in.vertices; ++v) {
+      const double *n = in.gradients + 3 * v;
+      for (int c = 0; c < 3; ++c) {
+        double* sum = to + static_cast<std::ptrdiff_t>(3 * v + c) * stride + (j - start);
+        for (int l = 0; l < lanes; ++l) sum[l] += n[0] * P[3 * c][l] + n[1] * P[3 * c + 1][l] + n[2] * P[3 * c + 2][l];
+      }
+    }
+  }
+}
+
+/// Rows [first, last) of pairs, their lanes one after the other.
+struct Rows {
+  int first, last, modes;
+  std::vector<int> starts;  ///< of each row among the columns
+  int columns = 0;
+
+  Rows(int first_row, int last_row, int count) : first(first_row), last(last_row), modes(count) {
+    for (int i = first; i < last; ++i) {
+      starts.push_back(columns);
+      columns += padded(modes) - first_lane(i);
+    }
+  }
+  int start(int i) const { return starts[static_cast<std::size_t>(i - first)]; }
+};
+
+template <class E>
+void gradients_of(const fem::Matrix<E::vertices, 3>& shape, const Modal& u, double lambda, double mu, Point& point) {
+  for (int c = 0; c < 3; ++c)
+    for (int d = 0; d < 3; ++d) {
+      auto row = point.G.row(3 * c + d);
+      row = shape(0, d) * u.row(c);
+      for (int a = 1; a < E::vertices; ++a) row += shape(a, d) * u.row(3 * a + c);
+    }
+  const auto& G = point.G;
+  const Eigen::RowVectorXd trace = lambda * (G.row(0) + G.row(4) + G.row(8));
+  for (int c = 0; c < 3; ++c) point.S.row(c) = trace + 2 * mu * G.row(4 * c);
+  point.S.row(3) = mu * (G.row(1) + G.row(3));
+  point.S.row(4) = mu * (G.row(5) + G.row(7));
+  point.S.row(5) = mu * (G.row(2) + G.row(6));
+}
+
+/// The sums of one cell for all rows: 3 rows a vertex.
+template <class E>
+void cell_sums(const mesh::Mesh& mesh, int cell, const fem::StVK& material, const petsc::ConstTallRef& local,
+               const Rows& rows, Modal& u, Point& point, Modal& sums) {
+  const auto vertices = mesh.cells.of(cell);
+  for (int a = 0; a < E::vertices; ++a)
+    u.block(3 * a, 0, 3, rows.modes) = local.middleRows<3>(3 * vertices[static_cast<std::size_t>(a)]);
+  // Differences from the first vertex: a cell that moves far as a whole is not strained.
+  for (int a = E::vertices - 1; a >= 0; --a) u.middleRows<3>(3 * a) -= u.topRows<3>();
+  const fem::Coordinates<E> x = fem::relative<E>(fem::Coordinates<E>(mesh.corners(cell)));
+  const double lambda = material.lambda(), mu = material.mu();
+  sums.topRows(3 * E::vertices).setZero();
+  for (const auto& sample : E::rule) {
+    const auto [shape, weight] = fem::physical_gradients<E>(x, sample);
+    gradients_of<E>(shape, u, lambda, mu, point);
+    const Eigen::Matrix<double, E::vertices, 3, Eigen::RowMajor> weighted = -weight * shape;
+    const Inner inner{E::vertices, weighted.data(), lambda, mu, static_cast<int>(point.G.cols()), point.G.data(),
+                      point.S.data()};
+    for (int i = rows.first; i < rows.last; ++i)
+      add_row(inner, i, sums.data() + rows.start(i), static_cast<int>(sums.cols()));
+  }
+}
+
+/// From lanes to pairs, and from owned vertices to free degrees of freedom.
+petsc::Tall columns_of_pairs(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Rows& rows, const Modal& sums) {
+  const auto pairs = pairs_of_rows(rows.first, rows.last, rows.modes);
+  petsc::Tall b(dofs.owned, static_cast<Eigen::Index>(pairs.size()));
+  std::vector<Eigen::Index> place(static_cast<std::size_t>(dofs.owned));
+  for (int v = 0; v < mesh.owned; ++v)
+    for (int c = 0; c < mesh::components; ++c)
+      if (!dofs.fixed(v, c)) place[static_cast<std::size_t>(dofs.number(v, c) - dofs.first)] = 3 * v + c;
+  constexpr Eigen::Index strip = 64;  // rows that stay in cache while all their columns are taken
+  for (Eigen::Index from = 0; from < b.rows(); from += strip)
+    for (std::size_t p = 0; p < pairs.size(); ++p) {
+      const int column = rows.start(pairs[p].i) + pairs[p].j - first_lane(pairs[p].i);
+      for (Eigen::Index row = from; row < std::min(from + strip, b.rows()); ++row)
+        b(row, static_cast<Eigen::Index>(p)) = sums(place[static_cast<std::size_t>(row)], column);
+    }
+  return b;
+}
+
+}  // namespace
+
+std::vector<Pair> pairs_of_rows(int first, int last, int modes) {
+  std::vector<Pair> pairs;
+  for (int i = first; i < last; ++i)
+    for (int j = i; j < modes; ++j) pairs.push_back({i, j});
+  return pairs;
+}
+
+petsc::Tall derivative_loads(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const std::vector<fem::StVK>& materials,
+                             const petsc::ConstTallRef& local, int first, int last) {
+  const Rows rows(first, last, static_cast<int>(local.cols()));
+  const int width = padded(rows.modes);
+  Modal sums = Modal::Zero(3 * mesh.owned, rows.columns);
+  Modal u = Modal::Zero(3 * fem::max_cell_vertices, width), cell(3 * fem::max_cell_vertices, rows.columns);
+  Point point{Modal(9, width), Modal(6, width)};
+  for (const int c : file_order(mesh.cells)) {
+    const auto n = static_cast<std::size_t>(c);
+    const auto& material = materials[static_cast<std::size_t>(mesh.cells.regions[n])];
+    fem::visit(mesh.cells.types[n],
+               [&]<class E>(E) { cell_sums<E>(mesh, c, material, local, rows, u, point, cell); });
+    const auto vertices = mesh.cells.of(c);
+    for (std::size_t a = 0; a < vertices.size(); ++a)
+      if (vertices[a] < mesh.owned)
+        sums.middleRows<3>(3 * vertices[a]) += cell.middleRows<3>(3 * static_cast<Eigen::Index>(a));
+  }
+  return columns_of_pairs(mesh, dofs, rows, sums);
+}
+
+}  // namespace ritz::stages

@@ -1,0 +1,114 @@
+#include "ritz/stages/derivatives.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "ritz/fem/dispatch.hpp"
+#include "ritz/fem/mass.hpp"
+#include "ritz/mesh/halo.hpp"
+#include "ritz/parallel/comm.hpp"
+#include "ritz/petsc/check.hpp"
+#include "ritz/stages/rayleigh_ritz.hpp"
+
+namespace ritz::stages {
+namespace {
+
+using Eigen::Index;
+
+template <class E>
+double smallest_ratio(const fem::Coordinates<E>& x) {
+  const fem::MassMatrix<E> M = fem::mass<E>(x, 1);
+  const fem::Vector<E::vertices> root = M.diagonal().cwiseSqrt().cwiseInverse();
+  const fem::MassMatrix<E> scaled = root.asDiagonal() * M * root.asDiagonal();
+  return Eigen::SelfAdjointEigenSolver<fem::MassMatrix<E>>(scaled, Eigen::EigenvaluesOnly).eigenvalues()[0];
+}
+
+/// c: M ≥ c D. A straight linear tetrahedron has ½ whatever its shape.
+double mass_ratio(const mesh::Mesh& mesh) {
+  double least = 0.5;
+  for (int cell = 0; cell < mesh.cells.owned; ++cell) {
+    const auto type = mesh.cells.types[static_cast<std::size_t>(cell)];
+    if (type == fem::CellType::tet4) continue;
+    least = std::min(least, fem::visit(type, [&]<class E>(E) {
+                       return smallest_ratio<E>(fem::Coordinates<E>(mesh.corners(cell)));
+                     }));
+  }
+  return parallel::min(mesh.comm, least);
+}
+
+/// Upper bounds of ‖b_j‖_{M⁻¹}.
+class InverseMassNorm {
+ public:
+  InverseMassNorm(const mesh::Mesh& mesh, Mat M) : comm_(mesh.comm) {
+    petsc::Vector diagonal;
+    const PetscScalar* values = nullptr;
+    PetscInt rows = 0;
+    petsc::check(MatGetLocalSize(M, &rows, nullptr));
+    petsc::check(MatCreateVecs(M, nullptr, diagonal.out()));
+    petsc::check(MatGetDiagonal(M, diagonal));
+    petsc::check(VecGetArrayRead(diagonal, &values));
+    inverse_root_ = (Eigen::Map<const Eigen::ArrayXd>(values, rows) * mass_ratio(mesh)).sqrt().inverse().matrix();
+    petsc::check(VecRestoreArrayRead(diagonal, &values));
+  }
+
+  Eigen::VectorXd operator()(const petsc::Tall& b) const {
+    return petsc::column_norms(comm_, inverse_root_.asDiagonal() * b);
+  }
+
+ private:
+  MPI_Comm comm_;
+  Eigen::VectorXd inverse_root_;
+};
+
+/// The row behind the last one of a block of at least `columns` pairs that begins with row `first`.
+int last_row(int first, int modes, int columns) {
+  int count = 0, row = first;
+  while (row < modes && count < columns) count += modes - row++;
+  return row;
+}
+
+/// Divides the pairs of a block into those to solve and those that cannot matter.
+std::vector<Index> worth_solving(const std::vector<Pair>& pairs, const Eigen::ArrayXd& bounds, int always,
+                                 double least, DerivativeCounts& counts) {
+  std::vector<Index> solved;
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    const auto n = static_cast<Index>(p);
+    if (pairs[p].j < always || !(bounds[n] < least)) solved.push_back(n);
+    else counts.skipped += bounds[n] * bounds[n];
+  }
+  counts.pairs += static_cast<int>(pairs.size());
+  counts.solved += static_cast<int>(solved.size());
+  return solved;
+}
+
+}  // namespace
+
+DerivativeCounts derivatives(const DerivativesSource& source, double first_eigenvalue, int columns, int always,
+                             const std::function<double(Pair)>& weight, const std::function<double()>& least,
+                             const std::function<void(const DerivativeBlock&)>& take) {
+  const auto& [mesh, dofs, full, rigid, flexible, inverse] = source;
+  const petsc::Tall local = mesh::with_ghosts(mesh, mesh::to_vertices(mesh, dofs, flexible));
+  const InverseMassNorm norm(mesh, full.mass);
+  const double norm_K = one_norm(full.stiffness);
+  const int modes = static_cast<int>(flexible.cols());
+  DerivativeCounts counts;
+  for (int first = 0, last = 0; first < modes; first = last) {
+    last = last_row(first, modes, columns);
+    const auto pairs = pairs_of_rows(first, last, modes);
+    const petsc::Tall loads = derivative_loads(mesh, dofs, full.materials, local, first, last);
+    Eigen::ArrayXd bounds = norm(loads) / first_eigenvalue;
+    for (std::size_t p = 0; p < pairs.size(); ++p) bounds[static_cast<Index>(p)] *= weight(pairs[p]);
+    const auto chosen = worth_solving(pairs, bounds, always, least(), counts);
+    if (chosen.empty()) continue;
+    auto solved = solve(full, inverse, rigid, norm_K, loads(Eigen::all, chosen));
+    counts.iterations = std::max(counts.iterations, solved.iterations);
+    counts.residual = std::max(counts.residual, solved.residual);
+    DerivativeBlock block{{}, std::move(solved.x)};
+    for (const Index p : chosen) block.pairs.push_back(pairs[static_cast<std::size_t>(p)]);
+    take(block);
+  }
+  return counts;
+}
+
+}  // namespace ritz::stages

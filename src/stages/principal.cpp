@@ -1,0 +1,59 @@
+#include "ritz/stages/principal.hpp"
+
+#include <Eigen/SVD>
+#include <algorithm>
+
+namespace ritz::stages {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+constexpr double margin = 1e-3;       ///< of the σ at the cut: what is dropped while the set still grows
+constexpr double independent = 1e-13;  ///< of σ₁: rounding makes smaller directions up
+
+MPI_Comm comm_of(Mat A) { return PetscObjectComm(reinterpret_cast<PetscObject>(A)); }
+
+/// The columns scaled to unit length: only for conditioning, the scale does not enter the decomposition.
+petsc::Tall normalised(MPI_Comm comm, const petsc::ConstTallRef& block) {
+  const Eigen::VectorXd norms = petsc::column_norms(comm, block);
+  return block * norms.unaryExpr([](double n) { return n > 0 ? 1 / n : 0; }).asDiagonal();
+}
+
+}  // namespace
+
+double negligible(const Principal& set, const Cut& cut) {
+  if (set.sigma.size() == 0) return 0;
+  const double floor = independent * set.sigma[0];
+  if (cut.size == 0) return std::max(floor, margin * cut.tolerance * set.sigma[0]);
+  return cut.size <= set.sigma.size() ? std::max(floor, margin * set.sigma[cut.size - 1]) : floor;
+}
+
+void add(Mat M, Principal& set, const petsc::ConstTallRef& block, const Cut& cut) {
+  if (block.cols() == 0) return;
+  const MPI_Comm comm = comm_of(M);
+  const Index old = set.sigma.size();
+  if (old == 0) set.Q.resize(block.rows(), 0);
+  petsc::Tall fresh = normalised(comm, block);
+  const int width = petsc::orthonormalise(M, set.Q, fresh);
+  petsc::Tall both(block.rows(), old + width);
+  both << set.Q, fresh.leftCols(width);
+
+  MatrixXd small = MatrixXd::Zero(both.cols(), old + block.cols());
+  small.topLeftCorner(old, old) = set.sigma.asDiagonal();
+  small.rightCols(block.cols()) = petsc::inner(comm, both, petsc::multiply(M, block));
+  const Eigen::JacobiSVD<MatrixXd> svd(small, Eigen::ComputeThinU);
+  set.sigma = svd.singularValues();
+  const double least = negligible(set, cut);
+  const Index count = (set.sigma.array() > least).count();
+  set.discarded += set.sigma.tail(set.sigma.size() - count).squaredNorm();
+  set.Q = petsc::combine(both, svd.matrixU().leftCols(count));
+  set.sigma.conservativeResize(count);
+}
+
+int kept(const Principal& set, const Cut& cut) {
+  if (cut.size > 0) return std::min<int>(cut.size, static_cast<int>(set.sigma.size()));
+  return set.sigma.size() == 0 ? 0 : static_cast<int>((set.sigma.array() > cut.tolerance * set.sigma[0]).count());
+}
+
+}  // namespace ritz::stages

@@ -1,0 +1,21 @@
+// The reduced StVK energy as a polynomial (Sec. 3.1).
+#pragma once
+#include <vector>
+
+#include "ritz/fem/material.hpp"
+#include "ritz/mesh/mesh.hpp"
+#include "ritz/model/model.hpp"
+#include "ritz/petsc/multivector.hpp"
+
+namespace ritz::stages {
+
+/// All coefficients, exact for the elements' own quadrature rules. `u`: the basis over owned vertices, 3 rows a vertex.
+///
+/// At a quadrature point the strain is E = Σ z_i sym(G_i) + Σ_{i≤j} z_i z_j Q_ij with G_i the displacement gradient of
+/// column i, Q_ij = sym(G_iᵀG_j), Q_ii = ½ G_iᵀG_i: linear in y = [z; (z_i z_j)_{i≤j}]. The energy is ½ yᵀ G y, and G is a
+/// sum of outer products, six a point, accumulated by `dsyrk`; then symmetrised, and summed once over the ranks.
+/// *Collective*.
+model::Polynomial reduce_polynomial(const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials,
+                                    const petsc::ConstTallRef& u);
+
+}  // namespace ritz::stages

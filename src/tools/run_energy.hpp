@@ -1,0 +1,25 @@
+// Whether a motion gains energy that no load put in.
+#pragma once
+#include <string>
+
+namespace ritz::tools {
+
+/// Compares the energy of an undamped motion with what it began with and the loads' work.
+class EnergyWatch {
+ public:
+  explicit EnergyWatch(double energy) : begin_(energy), scale_(energy) {}
+
+  /// Work of the loads over a step, J.
+  void add_work(double work);
+  /// The energy at time t, J.
+  void look(double t, double energy);
+
+  /// A sentence that names integrators which hold the energy, if it grew by more than a tenth; else nothing.
+  std::string warning(const std::string& integrator) const;
+
+ private:
+  double begin_, scale_, work_ = 0;
+  double worst_ = 0, time_ = 0;  ///< the largest gain as a fraction, and when it was first above the gate
+};
+
+}  // namespace ritz::tools

@@ -1,0 +1,24 @@
+// The sample model with hardening springs: a reduction whose basis is not called modes, and a polynomial.
+//
+// Ẽ = ½ (4 z₁² + 9 z₂²) + ¼ (z₁² + γ z₂²)², γ = 2: no cubic part; the right mass alone is a Duffing oscillator
+// z₂'' + 9 z₂ + γ² z₂³ = f.
+#pragma once
+#include "support/sample_model.hpp"
+
+namespace ritz::test {
+
+inline model::Polynomial sample_polynomial() {
+  constexpr double gamma = 2;
+  model::Polynomial p{2, Eigen::Vector3d(4, 0, 9), Eigen::VectorXd::Zero(4), Eigen::VectorXd::Zero(5)};
+  p.quartic << 6, 0, 2 * gamma, 0, 6 * gamma * gamma;  // 1111, 1112, 1122, 1222, 2222
+  return p;
+}
+
+inline model::Model nonlinear_sample_model() {
+  auto m = sample_model();
+  m.body.reduction = model::Reduction{Eigen::Vector2d(4, 9), Eigen::Vector3d(2, 1, 0.25), 0.25};
+  m.body.polynomial = sample_polynomial();
+  return m;
+}
+
+}  // namespace ritz::test
