@@ -6,6 +6,7 @@
 #include "ritz/config/database.hpp"
 #include "ritz/config/supports.hpp"
 #include "ritz/petsc/eigensolver.hpp"
+#include "ritz/petsc/newton.hpp"
 #include "ritz/petsc/options.hpp"
 
 namespace ritz::config {
@@ -61,7 +62,8 @@ bool is_slepc(const std::string& name) { return name.starts_with("modes_eps_") |
 std::vector<std::pair<std::string, std::string>> solver_options_given() {
   auto given = petsc::unread_options();
   std::erase_if(given, [](const auto& o) {
-    return !is_slepc(o.first) && !o.first.starts_with("solve_") && !o.first.starts_with("multigrid_");
+    return !is_slepc(o.first) && !o.first.starts_with("solve_") && !o.first.starts_with("multigrid_") &&
+           !o.first.starts_with("newton_");
   });
   return given;
 }
@@ -79,16 +81,36 @@ void read_solver_options(MPI_Comm comm) {
     petsc::read_eigensolver_options(comm);
     petsc::read_factorization_options(comm, "solve_");
     petsc::read_multigrid_options(comm, "multigrid_");
+    petsc::read_newton_options(comm);
   } catch (const NumericalError& error) {
     const std::string why = error.what();
-    throw InputError("an option under -modes_, -solve_ or -multigrid_ does not work: " +
+    throw InputError("an option under -modes_, -solve_, -multigrid_ or -newton_ does not work: " +
                      why.substr(0, why.find(" (in ")));
   }
 }
 
+std::optional<std::int64_t> read_count(Database& options, const std::string& name) {
+  if (!petsc::option_value("-" + name)) return std::nullopt;
+  return options.integer(name, 1, name == "every" ? 1 : 0);
+}
+
+FullOptions read_full(Database& options, Program program) {
+  FullOptions full;
+  const auto scene = options.text("scene");
+  if (program == Program::full && !scene)
+    throw InputError("option -scene is missing: give the scene file, which says what is done to the body");
+  full.scene = scene.value_or("");
+  full.restart = options.text("restart");
+  full.frames = read_count(options, "frames");
+  full.every = read_count(options, "every");
+  if (full.frames && full.every)
+    throw InputError("options -frames and -every say the same thing in two ways: leave out one or the other");
+  return full;
+}
+
 }  // namespace
 
-Config read_config(MPI_Comm comm) {
+Config read_config(MPI_Comm comm, Program program) {
   Database options;
   Config config;
   config.source = read_source(options);
@@ -112,7 +134,8 @@ Config read_config(MPI_Comm comm) {
   config.goal = options.flag("plan") ? Goal::plan : Goal::model;
   config.voice = options.flag("quiet") ? Voice::quiet : Voice::normal;
   config.exported = static_cast<Export>(options.choice("export", {"none", "matrixmarket", "petsc"}, 0));
-  config.output = options.text("output", "model.h5");
+  config.output = options.text("output", program == Program::full ? "full.h5" : "model.h5");
+  config.full = read_full(options, program);
   read_solver_options(comm);
   refuse_unread_options();
   config.resolved = options.resolved();

@@ -1,7 +1,8 @@
-// Everything a run of ritz-reduce is told, as plain values.
+// Everything a run of ritz-reduce or ritz-full is told, as plain values.
 #pragma once
 #include <mpi.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -27,6 +28,15 @@ enum class Goal { model, plan };
 enum class Voice { normal, quiet };
 enum class Export { nothing, matrixmarket, petsc };
 
+/// What only ritz-full looks at.
+struct FullOptions {
+  std::filesystem::path scene;
+  std::optional<std::filesystem::path> restart;
+  std::optional<std::int64_t> frames, every;
+};
+
+enum class Program { reduce, full };
+
 struct Config {
   mesh::Source source;
   std::vector<mesh::Fixed> supports;
@@ -41,12 +51,13 @@ struct Config {
   Voice voice = Voice::normal;
   Export exported = Export::nothing;
   std::filesystem::path output = "model.h5";
+  FullOptions full;
   std::vector<std::pair<std::string, std::string>> resolved;  ///< every option as read or by default
 };
 
-/// Reads and cross-checks the options of ritz-reduce, and refuses those that nobody reads. Throws InputError on all
-/// ranks alike. *Collective*.
-Config read_config(MPI_Comm comm);
+/// Reads and cross-checks the options of a program, and refuses those that nobody reads; its sibling's are none of
+/// these. Throws InputError on all ranks alike. *Collective*.
+Config read_config(MPI_Comm comm, Program program = Program::reduce);
 
 /// The material of each region in SI: -material_REGION_* over -material_* over the mesh file's own. Throws InputError
 /// for a region without a complete or with an impossible material, and for a region that does not exist.

@@ -43,7 +43,8 @@ bool is_late(const std::string& name) {
   const auto holds = [&](const char* part) { return name.find(part) != name.npos; };
   if (std::find(at_the_end.begin(), at_the_end.end(), name) != at_the_end.end()) return true;
   if (name.starts_with("modes_st_mg_levels_")) return true;
-  const bool solver = name.starts_with("modes_eps_") || name.starts_with("modes_st_") || name.starts_with("solve_ksp_");
+  const bool solver = name.starts_with("modes_eps_") || name.starts_with("modes_st_") ||
+                      name.starts_with("solve_ksp_") || name.starts_with("newton_snes_");
   return solver && std::any_of(reports.begin(), reports.end(), holds);
 }
 

@@ -27,13 +27,17 @@ constexpr std::array entries = std::to_array<OptionEntry>({
     {"reuse", "FILE.h5", "", "none", "take modes from an earlier model of the same mesh, materials and supports"},
     {"surface_only", "", "", "off", "store only the rows of U on the surface"},
     {"export", "matrixmarket | petsc", "", "none", "write K, M and the modes beside the model, in the file's order"},
-    {"output", "FILE.h5", "", "model.h5", "the model; frequencies.csv stands in the same folder"},
+    {"output", "FILE.h5", "", "model.h5",
+     "the model (ritz-full: the motion, by default full.h5); tables in .csv stand in the same folder"},
     {"plan", "", "", "off", "print the stages, their memory and time, and stop"},
     {"quiet", "", "", "off", "print only warnings and errors"},
     {"options_file", "FILE", "", "none", "options from a file (.yml or .yaml: YAML); the command line wins"},
     {"help", "", "", "", "this text"},
     {"log_view", "", "", "off", "PETSc's own timing table, by named stages"},
-    {"scene", "FILE.toml", "", "", "ritz-full: the scene"},
+    {"scene", "FILE.toml", "", "", "ritz-full, required: what is done to the body, as for ritz-run --scene"},
+    {"restart", "FULL.h5", "", "none", "ritz-full: go on from the last state of an earlier run of the same problem"},
+    {"frames", "N", "0 ... ", "all states, at most 201", "ritz-full: displacement frames, evenly spread"},
+    {"every", "N", "1 ... ", "none", "ritz-full: a displacement frame every so many steps, in place of -frames"},
 });
 
 constexpr std::array solvers = std::to_array<std::string_view>({
@@ -56,6 +60,10 @@ constexpr std::array solvers = std::to_array<std::string_view>({
     "modes_st_pc_factor_mat_solver_type",
     "modes_st_pc_gamg_threshold",
     "modes_st_mat_mumps_icntl_14",
+    "newton_snes_max_it",
+    "newton_snes_linesearch_type",
+    "newton_snes_monitor",
+    "newton_snes_converged_reason",
     "solve_ksp_type",
     "solve_ksp_view",
     "solve_pc_type",
@@ -72,6 +80,16 @@ constexpr std::array solvers = std::to_array<std::string_view>({
     "multigrid_pc_mg_levels",
 });
 
+constexpr std::string_view reduce_text =
+    "Turns a finite element mesh into a reduced model: reads it, assembles K and M, solves for the lowest\n"
+    "vibration modes, and writes one HDF5 file that ritz-run moves and ritz-inspect prints. Options marked ritz-full\n"
+    "are that program's and have no effect here.\n";
+constexpr std::string_view full_text =
+    "Moves a finite element mesh as a scene says, unreduced: statics, or the integrators avf (the default), newmark\n"
+    "and implicit-euler. Writes one HDF5 file of frames, snapshots and the last state, an .xdmf for ParaView,\n"
+    "probes.csv and energy.csv. Of the options below it looks at those for the mesh, units, supports, materials, the\n"
+    "solver, the output and those marked ritz-full; the others are ritz-reduce's and have no effect here.\n";
+
 }  // namespace
 
 std::span<const OptionEntry> option_table() { return entries; }
@@ -81,8 +99,7 @@ std::span<const std::string_view> solver_options() { return solvers; }
 std::string help_text(std::string_view program) {
   std::ostringstream out;
   out << "usage: mpirun -n RANKS " << program << " -mesh FILE [-option [value]]...\n\n"
-      << "Turns a finite element mesh into a reduced model: reads it, assembles K and M, solves for the lowest\n"
-         "vibration modes, and writes one HDF5 file that ritz-run moves and ritz-inspect prints.\n\noptions:\n";
+      << (program == "ritz-full" ? full_text : reduce_text) << "\noptions:\n";
   for (const auto& e : entries) {
     out << "  -" << e.name << (e.argument.empty() ? "" : " ") << e.argument << "\n      " << e.text << '\n';
     if (e.unit.empty() && e.fallback.empty()) continue;
@@ -90,7 +107,8 @@ std::string help_text(std::string_view program) {
         << (e.fallback.empty() ? "" : "default: ") << e.fallback << '\n';
   }
   out << "\nsolvers: options under -solve_ksp_, -solve_pc_ and -solve_mat_mumps_ reach the factorization, those under\n"
-         "-multigrid_pc_ the levels of the multigrid; any option under -modes_eps_ or -modes_st_ hands the modes of "
+         "-multigrid_pc_ the levels of the multigrid, those under -newton_snes_ the Newton iterations of ritz-full; "
+         "any option under -modes_eps_ or -modes_st_ hands the modes of "
          "the\n"
          "direct strategy to SLEPc (Krylov-Schur, or the solver that it names).\n"
          "exit codes: 0 done; 1 the numerics failed; 2 the input is wrong.\n";

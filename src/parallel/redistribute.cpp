@@ -65,6 +65,32 @@ RowMatrix to_slices(MPI_Comm comm, std::span<const std::int64_t> numbers, const 
   return Eigen::Map<const RowMatrix>(rows.values.data(), static_cast<Eigen::Index>(rows.numbers.size()), width);
 }
 
+RowMatrix from_slices(MPI_Comm comm, std::span<const std::int64_t> numbers, const RowMatrix& slice,
+                      std::int64_t total) {
+  const auto ranks = static_cast<std::size_t>(size(comm));
+  const auto width = slice.cols();
+  const auto first = even_slice(comm, total).first;
+  std::vector<std::vector<std::int64_t>> asked(ranks);
+  for (const auto number : numbers)
+    asked[static_cast<std::size_t>(slice_owner(size(comm), total, number))].push_back(number);
+  const auto wanted = exchange(comm, asked);
+  std::vector<std::vector<double>> answers(ranks);
+  for (std::size_t p = 0; p < ranks; ++p)
+    for (const auto number : wanted[p])
+      answers[p].insert(answers[p].end(), slice.row(number - first).begin(), slice.row(number - first).end());
+  answers = exchange(comm, answers);
+  RowMatrix rows(static_cast<Eigen::Index>(numbers.size()), width);
+  std::vector<const double*> next;
+  for (const auto& answer : answers) next.push_back(answer.data());
+  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+    const double*& from =
+        next[static_cast<std::size_t>(slice_owner(size(comm), total, numbers[static_cast<std::size_t>(i)]))];
+    rows.row(i) = Eigen::Map<const Eigen::RowVectorXd>(from, width);
+    from += width;
+  }
+  return rows;
+}
+
 std::vector<std::int64_t> sorted_by_key(MPI_Comm comm, std::span<const std::int64_t> row_keys,
                                         std::span<const std::int64_t> values, int width, std::int64_t keys) {
   return move_rows<std::int64_t>(comm, row_keys, values, width, keys).values;

@@ -28,6 +28,9 @@ int slice_owner(int ranks, std::int64_t total, std::int64_t row);
 /// Returns this rank's even slice, in order. *Collective*.
 RowMatrix to_slices(MPI_Comm comm, std::span<const std::int64_t> numbers, const RowMatrix& values, std::int64_t total);
 
+/// The way back: each rank holds its even slice of `total` rows; returns rows `numbers`, in their order. *Collective*.
+RowMatrix from_slices(MPI_Comm comm, std::span<const std::int64_t> numbers, const RowMatrix& slice, std::int64_t total);
+
 /// Rows of `width` integers by keys 0 ... keys-1, each key on at most one rank and not every key present: returns the
 /// rows whose keys lie in this rank's even slice of the keys, in ascending order of keys. *Collective*.
 std::vector<std::int64_t> sorted_by_key(MPI_Comm comm, std::span<const std::int64_t> row_keys,

@@ -9,6 +9,8 @@
 namespace ritz::petsc {
 namespace {
 
+constexpr const char* storage_name = "ritz_storage";
+
 PetscErrorCode destroy_storage(void* storage) {
   delete static_cast<Rows*>(storage);
   return 0;
@@ -20,7 +22,7 @@ void keep(Mat A, std::unique_ptr<Rows> storage) {
   check(PetscContainerCreate(PetscObjectComm(reinterpret_cast<PetscObject>(A)), container.out()));
   check(PetscContainerSetPointer(container, storage.release()));
   check(PetscContainerSetUserDestroy(container, destroy_storage));
-  check(PetscObjectCompose(reinterpret_cast<PetscObject>(A), "ritz_storage",
+  check(PetscObjectCompose(reinterpret_cast<PetscObject>(A), storage_name,
                            reinterpret_cast<PetscObject>(container.get())));
 }
 
@@ -44,6 +46,19 @@ Matrix symmetric_matrix(MPI_Comm comm, Rows rows, PetscInt block, Definite defin
   check(MatSetOption(A, MAT_SYMMETRY_ETERNAL, PETSC_TRUE));
   if (definite == Definite::positive) check(MatSetOption(A, MAT_SPD, PETSC_TRUE));
   return A;
+}
+
+Rows& storage(Mat A) {
+  PetscObject container = nullptr;
+  void* rows = nullptr;
+  check(PetscObjectQuery(reinterpret_cast<PetscObject>(A), storage_name, &container));
+  check(PetscContainerGetPointer(reinterpret_cast<PetscContainer>(container), &rows));
+  return *static_cast<Rows*>(rows);
+}
+
+void renewed(Mat A) {
+  check(MatAssemblyBegin(A, MAT_FINAL_ASSEMBLY));
+  check(MatAssemblyEnd(A, MAT_FINAL_ASSEMBLY));
 }
 
 Matrix tiny_identity(MPI_Comm comm) {

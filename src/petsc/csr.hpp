@@ -24,6 +24,13 @@ enum class Definite { semi, positive };
 /// A symmetric square matrix with `block` rows a vertex; the rows become its storage. *Collective*.
 Matrix symmetric_matrix(MPI_Comm comm, Rows rows, PetscInt block, Definite definite);
 
+/// The rows of a matrix that `symmetric_matrix` made, to be given other values: after that, `renewed`. (Of a matrix on
+/// several ranks the columns of `other` are PETSc's own by now; their order is as it was.)
+Rows& storage(Mat A);
+
+/// Tells PETSc that the values are new. *Collective*.
+void renewed(Mat A);
+
 /// The 3 x 3 identity, whole on rank 0: enough for a solver to be set up and so to read its options. *Collective*.
 Matrix tiny_identity(MPI_Comm comm);
 

@@ -2,6 +2,7 @@
 #pragma once
 #include <petscksp.h>
 #include <petscsf.h>
+#include <petscsnes.h>
 #include <slepceps.h>
 
 #include <utility>
@@ -38,6 +39,7 @@ class Handle {
 using Matrix = Handle<Mat, MatDestroy>;
 using Vector = Handle<Vec, VecDestroy>;
 using Solver = Handle<KSP, KSPDestroy>;
+using NonlinearSolver = Handle<SNES, SNESDestroy>;
 using StarForest = Handle<PetscSF, PetscSFDestroy>;
 using Preconditioner = Handle<PC, PCDestroy>;
 using EigenSolver = Handle<EPS, EPSDestroy>;

@@ -16,23 +16,6 @@ constexpr double upper = 1.1, lower = .1;  ///< the smoother's interval, relativ
 
 MPI_Comm comm_of(Mat A) { return PetscObjectComm(reinterpret_cast<PetscObject>(A)); }
 
-/// Tells GAMG what the coarse levels must represent.
-void attach(Mat A, const ConstTallRef& columns) {
-  const auto owned = as_vectors(A, columns);
-  for (std::size_t j = 0; j < owned.size(); ++j) {
-    for (std::size_t i = 0; i < j; ++i) {
-      PetscScalar dot = 0;
-      check(VecDot(owned[j], owned[i], &dot));
-      check(VecAXPY(owned[j], -dot, owned[i]));
-    }
-    check(VecNormalize(owned[j], nullptr));
-  }
-  const std::vector<Vec> list(owned.begin(), owned.end());
-  NullSpace space;
-  check(MatNullSpaceCreate(comm_of(A), PETSC_FALSE, static_cast<PetscInt>(list.size()), list.data(), space.out()));
-  check(MatSetNearNullSpace(A, space));
-}
-
 Preconditioner hierarchy(Mat A, const std::string& prefix) {
   Preconditioner pc;
   PetscBool is_gamg = PETSC_FALSE;
@@ -106,6 +89,22 @@ PetscInt first_row(Mat A) {
 }
 
 }  // namespace
+
+void attach_near_null(Mat A, const ConstTallRef& columns) {
+  const auto owned = as_vectors(A, columns);
+  for (std::size_t j = 0; j < owned.size(); ++j) {
+    for (std::size_t i = 0; i < j; ++i) {
+      PetscScalar dot = 0;
+      check(VecDot(owned[j], owned[i], &dot));
+      check(VecAXPY(owned[j], -dot, owned[i]));
+    }
+    check(VecNormalize(owned[j], nullptr));
+  }
+  const std::vector<Vec> list(owned.begin(), owned.end());
+  NullSpace space;
+  check(MatNullSpaceCreate(comm_of(A), PETSC_FALSE, static_cast<PetscInt>(list.size()), list.data(), space.out()));
+  check(MatSetNearNullSpace(A, space));
+}
 
 /// A level that is smoothed: its matrix, and the way to the next coarser one.
 class Multigrid::Level {
@@ -206,7 +205,7 @@ class Multigrid::Coarsest {
 };
 
 Multigrid::Multigrid(Mat A, const ConstTallRef& near_null, const std::string& prefix) {
-  attach(A, near_null);
+  attach_near_null(A, near_null);
   hierarchy_ = hierarchy(A, prefix);
   PetscInt coarse_levels = 0, between_levels = 0;
   Mat *coarse_list = nullptr, *between_list = nullptr;

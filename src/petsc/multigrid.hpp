@@ -35,4 +35,7 @@ class Multigrid {
   std::unique_ptr<Coarsest> coarsest_;
 };
 
+/// Tells GAMG what the coarse levels must represent. *Collective*.
+void attach_near_null(Mat A, const ConstTallRef& columns);
+
 }  // namespace ritz::petsc

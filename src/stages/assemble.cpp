@@ -5,77 +5,21 @@
 #include "ritz/fem/dispatch.hpp"
 #include "ritz/fem/mass.hpp"
 #include "ritz/fem/stiffness.hpp"
-#include "ritz/petsc/csr.hpp"
-#include "ritz/stages/vertex_graph.hpp"
+#include "ritz/stages/block_rows.hpp"
 
 namespace ritz::stages {
 namespace {
 
 /// K's rows, filled in place, and one number of M_s for each entry of the vertex graph.
 struct Sums {
-  VertexGraph graph;
-  std::vector<PetscInt> offsets;  ///< of a graph entry: how many columns stand before it in its part of a vertex's row
-  petsc::Rows stiffness;
+  BlockRows stiffness;
   std::vector<double> mass;
 };
 
-void append(std::vector<PetscInt>& to, const std::vector<PetscInt>& from) {
-  to.insert(to.end(), from.begin(), from.end());
-}
-
 bool own(const mesh::Mesh& mesh, int vertex) { return vertex < mesh.owned; }
-
-petsc::Csr& part(petsc::Rows& rows, const mesh::Mesh& mesh, int column) {
-  return own(mesh, column) ? rows.own : rows.other;
-}
 
 void end_row(petsc::Rows& rows) {
   for (petsc::Csr* part : {&rows.own, &rows.other}) part->starts.push_back(static_cast<PetscInt>(part->columns.size()));
-}
-
-/// K's columns: the rows of a vertex have the same ones, which `vertex_rows` lists.
-Sums empty_sums(const mesh::Mesh& mesh, const mesh::Dofs& dofs) {
-  Sums sums;
-  sums.graph = vertex_graph(mesh);
-  const auto entries = sums.graph.columns.size();
-  sums.mass.assign(entries, 0);
-  sums.offsets.reserve(entries);
-  sums.stiffness.own.columns.reserve(9 * entries);
-  petsc::Rows vertex_rows;
-  for (int row = 0; row < mesh.owned; ++row) {
-    vertex_rows.own.columns.clear();
-    vertex_rows.other.columns.clear();
-    for (auto p = sums.graph.starts[static_cast<std::size_t>(row)];
-         p < sums.graph.starts[static_cast<std::size_t>(row) + 1]; ++p) {
-      const int column = sums.graph.columns[p];
-      auto& columns = part(vertex_rows, mesh, column).columns;
-      sums.offsets.push_back(static_cast<PetscInt>(columns.size()));
-      for (int j = 0; j < mesh::components; ++j)
-        if (!dofs.fixed(column, j))
-          columns.push_back(static_cast<PetscInt>(dofs.number(column, j) - (own(mesh, column) ? dofs.first : 0)));
-    }
-    for (int i = 0; i < mesh::components; ++i) {
-      if (dofs.fixed(row, i)) continue;
-      append(sums.stiffness.own.columns, vertex_rows.own.columns);
-      append(sums.stiffness.other.columns, vertex_rows.other.columns);
-      end_row(sums.stiffness);
-    }
-  }
-  for (petsc::Csr* part : {&sums.stiffness.own, &sums.stiffness.other}) part->values.assign(part->columns.size(), 0);
-  return sums;
-}
-
-/// Adds the block of two vertices to the rows of the first.
-void add_block(Sums& sums, const mesh::Mesh& mesh, const mesh::Dofs& dofs, std::size_t place, int row, int column,
-               const Eigen::Matrix3d& K) {
-  petsc::Csr& to = part(sums.stiffness, mesh, column);
-  for (int i = 0; i < mesh::components; ++i) {
-    if (dofs.fixed(row, i)) continue;
-    const auto local = static_cast<std::size_t>(dofs.number(row, i) - dofs.first);
-    auto at = static_cast<std::size_t>(to.starts[local] + sums.offsets[place]);
-    for (int j = 0; j < mesh::components; ++j)
-      if (!dofs.fixed(column, j)) to.values[at++] += K(i, j);
-  }
 }
 
 template <class E>
@@ -90,8 +34,9 @@ void add_cell(Sums& sums, const mesh::Mesh& mesh, const mesh::Dofs& dofs, int ce
     if (row >= mesh.owned) continue;
     for (int b = 0; b < E::vertices; ++b) {
       const int column = vertices[static_cast<std::size_t>(b)];
-      const auto place = sums.graph.place(mesh.global, row, column);
-      add_block(sums, mesh, dofs, place, row, column, K.template block<3, 3>(3 * a, 3 * b));
+      const auto place = sums.stiffness.pattern.graph.place(mesh.global, row, column);
+      add_block(sums.stiffness.rows, sums.stiffness.pattern, mesh, dofs, place, row, column,
+                K.template block<3, 3>(3 * a, 3 * b));
       sums.mass[place] += M(a, b);
     }
   }
@@ -109,9 +54,9 @@ void add_cells(Sums& sums, const mesh::Mesh& mesh, const mesh::Dofs& dofs, const
 template <class Number>
 void append_mass(petsc::Rows& rows, const mesh::Mesh& mesh, const Sums& sums, int row, mesh::Index first,
                  Number number) {
-  for (auto p = sums.graph.starts[static_cast<std::size_t>(row)];
-       p < sums.graph.starts[static_cast<std::size_t>(row) + 1]; ++p) {
-    const int column = sums.graph.columns[p];
+  const VertexGraph& graph = sums.stiffness.pattern.graph;
+  for (auto p = graph.starts[static_cast<std::size_t>(row)]; p < graph.starts[static_cast<std::size_t>(row) + 1]; ++p) {
+    const int column = graph.columns[p];
     const mesh::Index n = number(column);
     if (n < 0) continue;
     petsc::Csr& to = part(rows, mesh, column);
@@ -145,12 +90,14 @@ petsc::Rows scalar_mass_rows(const mesh::Mesh& mesh, const Sums& sums) {
 }  // namespace
 
 Full assemble(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const std::vector<fem::StVK>& materials) {
-  Sums sums = empty_sums(mesh, dofs);
+  Sums sums{empty_rows(mesh, dofs), {}};
+  sums.mass.assign(sums.stiffness.pattern.graph.columns.size(), 0);
   add_cells(sums, mesh, dofs, materials);
   Full full;
   full.materials = materials;
   const auto positive = petsc::Definite::positive;
-  full.stiffness = petsc::symmetric_matrix(mesh.comm, std::move(sums.stiffness), dofs.block, petsc::Definite::semi);
+  full.stiffness =
+      petsc::symmetric_matrix(mesh.comm, std::move(sums.stiffness.rows), dofs.block, petsc::Definite::semi);
   full.mass = petsc::symmetric_matrix(mesh.comm, mass_rows(mesh, dofs, sums), dofs.block, positive);
   full.scalar_mass = petsc::symmetric_matrix(mesh.comm, scalar_mass_rows(mesh, sums), 1, positive);
   return full;

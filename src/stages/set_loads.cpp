@@ -1,36 +1,12 @@
 #include "ritz/stages/set_loads.hpp"
 
-#include "ritz/fem/face.hpp"
 #include "ritz/parallel/comm.hpp"
-#include "ritz/petsc/accumulate.hpp"
+#include "ritz/stages/face_weights.hpp"
 
 namespace ritz::stages {
 namespace {
 
 using Eigen::Index;
-
-/// What the faces of a set put on each vertex: ∫ N_a dA and −∫ N_a n dA, 4 columns over owned vertices.
-petsc::Tall face_weights(const mesh::Mesh& mesh, const std::vector<mesh::CellFace>& faces) {
-  std::vector<std::int64_t> numbers;
-  std::vector<double> rows;
-  for (const auto face : faces) {
-    const auto vertices = mesh::face_vertices(mesh, face);
-    const auto type = fem::shape(mesh.cells.types[static_cast<std::size_t>(face.cell)]).face;
-    fem::visit(type, [&]<class F>(F) {
-      fem::Coordinates<F> x;
-      for (int a = 0; a < F::vertices; ++a) x.col(a) = mesh.points.col(vertices[static_cast<std::size_t>(a)]);
-      const auto weights = fem::traction_weights<F>(x);
-      const auto normals = fem::pressure_vectors<F>(x);
-      for (int a = 0; a < F::vertices; ++a) {
-        numbers.push_back(mesh.global[static_cast<std::size_t>(vertices[static_cast<std::size_t>(a)])]);
-        rows.insert(rows.end(), {weights[a], -normals(0, a), -normals(1, a), -normals(2, a)});
-      }
-    });
-  }
-  const petsc::Tall values = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>>(
-      rows.data(), static_cast<Index>(numbers.size()), 4);
-  return petsc::accumulate(mesh.comm, numbers, values, mesh.owned);
-}
 
 /// Σ_v w_v u_v for each component: r x 3.
 Eigen::MatrixXd project(const mesh::Mesh& mesh, const petsc::ConstTallRef& u, const Eigen::VectorXd& weights) {

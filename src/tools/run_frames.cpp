@@ -1,20 +1,11 @@
 #include "run_frames.hpp"
 
-#include <algorithm>
+#include "ritz/scene/frames.hpp"
 
 namespace ritz::tools {
 
 std::vector<std::int64_t> frame_schedule(const RunOptions& options, std::int64_t steps) {
-  std::vector<std::int64_t> states;
-  if (options.every) {
-    for (std::int64_t state = 0; state <= steps; state += *options.every) states.push_back(state);
-    return states;
-  }
-  const std::int64_t frames = std::min(options.frames.value_or(201), steps + 1);
-  if (frames == 1) return {steps};
-  for (std::int64_t i = 0; i < frames; ++i)
-    states.push_back(static_cast<std::int64_t>(static_cast<long double>(i) * steps / (frames - 1) + 0.5L));
-  return states;
+  return scene::frame_schedule({options.frames, options.every}, steps);
 }
 
 }  // namespace ritz::tools

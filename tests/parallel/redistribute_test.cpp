@@ -32,6 +32,17 @@ TEST(Redistribute, SlicesFollowOneAnotherAndAreEven) {
   }
 }
 
+TEST(Redistribute, RowsComeBackFromSlices) {
+  for (const std::int64_t total : {1, 2, 7, 100}) {
+    const auto mine = my_rows(total);
+    RowMatrix values(static_cast<Eigen::Index>(mine.size()), 2);
+    for (std::size_t i = 0; i < mine.size(); ++i)
+      values.row(static_cast<Eigen::Index>(i)) << static_cast<double>(mine[i]), .5 - static_cast<double>(mine[i]);
+    const RowMatrix back = from_slices(world, mine, to_slices(world, mine, values, total), total);
+    EXPECT_EQ(back, values);
+  }
+}
+
 TEST(Redistribute, OwnersHoldTheirRows) {
   for (const int ranks : {1, 2, 3, 7, 64})
     for (const std::int64_t total : {1, 2, 5, 64, 1000}) {

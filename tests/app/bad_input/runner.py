@@ -25,7 +25,7 @@ class Case:
 
 
 def command(case, ranks=2):
-    mpirun = ["mpirun", "-n", str(ranks)] if case.program == "ritz-reduce" else []
+    mpirun = ["mpirun", "-n", str(ranks)] if case.program in ("ritz-reduce", "ritz-full") else []
     return [*mpirun, str(BIN / case.program), *map(str, case.words)]
 
 

@@ -7,7 +7,7 @@
 
 #include "ritz/model/model.hpp"
 
-namespace ritz::tools {
+namespace ritz::format {
 
 /// XDMF's mixed topology: for each cell its XDMF type, then its vertices. Throws InputError for a VTK type that is
 /// none of tet4, tet10, hex8, tri3, tri6, quad4.
@@ -25,4 +25,4 @@ std::string frame_name(std::size_t frame);
 /// `file`: the name of motion.h5 without its folder; `times`: of the frames.
 std::string xdmf_text(const std::string& file, const XdmfSize& size, std::span<const double> times);
 
-}  // namespace ritz::tools
+}  // namespace ritz::format

@@ -1,11 +1,11 @@
-#include "run_xdmf.hpp"
+#include "ritz/format/xdmf.hpp"
 
 #include <iomanip>
 #include <sstream>
 
 #include "ritz/base/error.hpp"
 
-namespace ritz::tools {
+namespace ritz::format {
 namespace {
 
 std::int64_t xdmf_type(std::uint8_t vtk) {
@@ -69,4 +69,4 @@ std::string xdmf_text(const std::string& file, const XdmfSize& size, std::span<c
   return out.str();
 }
 
-}  // namespace ritz::tools
+}  // namespace ritz::format

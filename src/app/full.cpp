@@ -1,0 +1,111 @@
+#include "ritz/app/full.hpp"
+
+#include <algorithm>
+
+#include "ritz/app/checksums.hpp"
+#include "ritz/app/full_recorder.hpp"
+#include "ritz/app/full_start.hpp"
+#include "ritz/app/plan.hpp"
+#include "ritz/app/progress.hpp"
+#include "ritz/app/resources.hpp"
+#include "ritz/app/warnings.hpp"
+#include "ritz/app/write_model.hpp"
+#include "ritz/scene/frames.hpp"
+
+namespace ritz::app {
+namespace {
+
+petsc::LinearSolver linear_solver(const config::Config& config, const mesh::Dofs& dofs) {
+  return choose_strategy(config, dofs).strategy == stages::Strategy::direct ? petsc::LinearSolver::direct
+                                                                            : petsc::LinearSolver::iterative;
+}
+
+FullPlan plan(const scene::Scene& scene, std::vector<double> times, const std::vector<std::int64_t>& frames) {
+  FullPlan plan;
+  for (const auto state : frames) plan.frame_times.push_back(times[static_cast<std::size_t>(state)]);
+  plan.times = std::move(times);
+  plan.time_units = std::holds_alternative<scene::Time>(scene.analysis) ? "s" : "1";
+  return plan;
+}
+
+std::string inside_out(std::int64_t cells) {
+  return cells == 0 ? "" : "\n" + std::to_string(cells) + " cells are inside out at the end";
+}
+
+/// What takes the states, and where it is told how far the run is.
+using Reached = std::function<void(const stages::DynamicState&)>;
+
+std::string run_statics(stages::FullModel& model, const scene::Scene& scene, const stages::DynamicState& start,
+                        const stages::LoadAt& load, const Reached& reached) {
+  const stages::StaticOptions options{.steps = std::get<scene::Static>(scene.analysis).steps};
+  stages::DynamicState state = start;
+  reached(state);
+  const auto report =
+      stages::full_statics(model, options, {start.t, start.u, 0}, load, [&](const stages::StaticState& now) {
+        state.t = now.fraction;
+        state.u = now.u;
+        state.energies.elastic = now.energy;
+        reached(state);
+      });
+  return std::to_string(report.newton_iterations) + " Newton iterations, " + std::to_string(report.halvings) +
+         " load increments halved" + inside_out(report.inverted_cells);
+}
+
+std::string run_dynamics(stages::FullModel& model, const scene::Scene& scene, const stages::DynamicState& start,
+                         std::int64_t steps, const stages::LoadAt& load, const Reached& reached) {
+  const auto& time = std::get<scene::Time>(scene.analysis);
+  const stages::DynamicOptions options{
+      .integrator = integrator_of(time), .alpha = scene.damping.alpha, .beta = scene.damping.beta, .dt = time.step};
+  const auto first = start.t > 0 ? start : stages::start_dynamics(model, options, start, load);
+  double largest = 0;
+  stages::DynamicState last;
+  const auto watch = [&](const stages::DynamicState& state) {
+    largest = std::max(largest, state.energies.kinetic + state.energies.elastic);
+    last = state;
+    reached(state);
+  };
+  watch(first);
+  const auto report = stages::full_dynamics(model, options, first, steps, load, watch);
+  return std::to_string(report.newton_iterations) + " Newton iterations, " + std::to_string(report.rejected) +
+         " steps rejected and halved\nenergy balance: at most " + stages::shown(report.largest_drift) +
+         " J of E - E0 - W + Q, the largest energy being " + stages::shown(largest) + " J" +
+         inside_out(stages::inverted_cells(model, last.u));
+}
+
+}  // namespace
+
+void simulate(MPI_Comm comm, const config::Config& config) {
+  Progress progress(comm, config.voice);
+  const auto scene = read_full_scene(comm, config.full.scene);
+  refuse_unwritable(comm, config.output);
+  const auto mesh = progress.stage("mesh", [&] { return mesh::read(comm, config.source); });
+  const auto dofs = mesh::number(mesh, config.supports, config.file_supports);
+  const auto materials = config::region_materials(config, mesh.regions);
+  for (const auto& text : warnings(mesh, materials)) progress.warn(text);
+
+  const auto problem = checksums(mesh, dofs, materials).problem;
+  const auto start = first_state(config, mesh, dofs, scene, problem);
+  const auto times = times_from(scene, start.t);
+  const auto steps = static_cast<std::int64_t>(times.size()) - 1;
+  const auto frames = scene::frame_schedule({config.full.frames, config.full.every}, steps);
+
+  const auto full = progress.stage("assemble", [&] { return stages::assemble(mesh, dofs, materials); });
+  const auto load = scene_loads(scene, mesh, dofs, full);
+  auto model = stages::full_model(mesh, dofs, full, linear_solver(config, dofs));
+  FullRecorder recorder(config, scene, mesh, dofs, materials, plan(scene, times, frames), frames);
+  stages::DynamicState last = start;
+  const auto reached = [&](const stages::DynamicState& state) {
+    recorder.record(state);
+    progress.update("", (state.t - start.t) / (times.back() - start.t));
+    last = state;
+  };
+  const auto summary = progress.stage("run", [&] {
+    return std::holds_alternative<scene::Time>(scene.analysis) ? run_dynamics(model, scene, start, steps, load, reached)
+                                                               : run_statics(model, scene, start, load, reached);
+  });
+  progress.stage("write", [&] { recorder.commit(last, problem); });
+  progress.line(std::to_string(steps) + " steps of " + std::to_string(dofs.total) + " degrees of freedom: " + summary +
+                "\n" + peak_memory_line(comm) + "\nwrote " + config.output.string());
+}
+
+}  // namespace ritz::app

@@ -1,0 +1,72 @@
+#include "ritz/app/full_recorder.hpp"
+
+#include <initializer_list>
+#include <sstream>
+#include <utility>
+
+namespace ritz::app {
+namespace {
+
+std::string row(double t, const Eigen::VectorXd& values) {
+  std::ostringstream out;
+  out.precision(15);
+  out << t;
+  for (const double value : values) out << ',' << value;
+  out << '\n';
+  return out.str();
+}
+
+}  // namespace
+
+FullRecorder::FullRecorder(const config::Config& config, const scene::Scene& scene, const mesh::Mesh& mesh,
+                           const mesh::Dofs& dofs, const std::vector<fem::StVK>& materials, const FullPlan& plan,
+                           std::vector<std::int64_t> frame_states)
+    : mesh_(mesh),
+      dofs_(dofs),
+      probes_(scene, mesh),
+      file_(config.output, mesh, materials, plan),
+      kind_(std::holds_alternative<scene::Time>(scene.analysis) ? StateKind::moving : StateKind::at_rest),
+      probe_rows_(probes_.header() + "\n"),
+      energy_rows_("t,kinetic,elastic,work,dissipated,drift\n"),
+      frame_states_(std::move(frame_states)) {
+  const auto folder = config.output.parent_path();
+  if (kind_ == StateKind::moving) energy_file_.emplace(mesh.comm, folder / "energy.csv");
+  if (!scene.probes.empty()) probe_file_.emplace(mesh.comm, folder / "probes.csv");
+}
+
+void FullRecorder::record(const stages::DynamicState& state) {
+  const petsc::Tall u = mesh::to_vertices(mesh_, dofs_, state.u);
+  const auto& e = state.energies;
+  Eigen::VectorXd energies(5);
+  energies << e.kinetic, e.elastic, e.work, e.dissipated, e.drift();
+  energy_rows_ += row(state.t, energies);
+  if (probe_file_) probe_rows_ += row(state.t, probes_.at(u));
+  if (next_frame_ < frame_states_.size() && frame_states_[next_frame_] == state_) {
+    file_.frame(u);
+    ++next_frame_;
+  }
+  ++state_;
+}
+
+void FullRecorder::commit(const stages::DynamicState& last, const std::string& problem_checksum) {
+  const auto& e = last.energies;
+  const auto whole = [&](const petsc::Tall& x) { return mesh::to_vertices(mesh_, dofs_, x); };
+  file_.keep({.kind = kind_,
+              .numbers = {{"t", last.t},
+                          {"kinetic", e.kinetic},
+                          {"elastic", e.elastic},
+                          {"work", e.work},
+                          {"dissipated", e.dissipated},
+                          {"start", e.start}},
+              .u = whole(last.u),
+              .v = whole(last.v),
+              .a = whole(last.a)},
+             problem_checksum);
+  if (energy_file_) energy_file_->write(energy_rows_);
+  if (probe_file_) probe_file_->write(probe_rows_);
+  file_.commit();
+  if (energy_file_) energy_file_->publish();
+  if (probe_file_) probe_file_->publish();
+}
+
+}  // namespace ritz::app

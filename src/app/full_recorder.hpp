@@ -1,0 +1,35 @@
+// Everything that a run of ritz-full leaves behind: full.h5, full.xdmf, probes.csv and, of a motion, energy.csv.
+#pragma once
+#include "ritz/app/full_file.hpp"
+#include "ritz/app/scene_loads.hpp"
+#include "ritz/stages/full_dynamics.hpp"
+
+namespace ritz::app {
+
+/// Takes the states of a run one by one.
+class FullRecorder {
+ public:
+  /// `frame_states` ascend, one for each of the plan's frame times. mesh and dofs must outlive it. *Collective*.
+  FullRecorder(const config::Config& config, const scene::Scene& scene, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
+               const std::vector<fem::StVK>& materials, const FullPlan& plan, std::vector<std::int64_t> frame_states);
+
+  /// *Collective*.
+  void record(const stages::DynamicState& state);
+
+  /// Stores `last` for a restart and gives all files their names. *Collective*.
+  void commit(const stages::DynamicState& last, const std::string& problem_checksum);
+
+ private:
+  const mesh::Mesh& mesh_;
+  const mesh::Dofs& dofs_;
+  SceneProbes probes_;
+  FullFile file_;
+  std::optional<PendingFile> probe_file_, energy_file_;
+  StateKind kind_;
+  std::string probe_rows_, energy_rows_;
+  std::vector<std::int64_t> frame_states_;
+  std::size_t next_frame_ = 0;
+  std::int64_t state_ = 0;
+};
+
+}  // namespace ritz::app

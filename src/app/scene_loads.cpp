@@ -1,0 +1,98 @@
+#include "ritz/app/scene_loads.hpp"
+
+#include <algorithm>
+
+#include "ritz/app/scene_targets.hpp"
+#include "ritz/parallel/comm.hpp"
+#include "ritz/stages/full_loads.hpp"
+
+namespace ritz::app {
+namespace {
+
+Eigen::Vector3d vector(const scene::Vector3& v) { return {v[0], v[1], v[2]}; }
+
+struct Term {
+  petsc::Tall force;
+  std::optional<scene::Table> table;
+};
+
+/// A load at factor 1 over owned vertices.
+struct UnitLoad {
+  const mesh::Mesh& mesh;
+  const scene::Target& target;
+
+  petsc::Tall operator()(const scene::TotalForce& f) const {
+    if (const auto* name = std::get_if<std::string>(&target))
+      return stages::shared_force(mesh, find_set(mesh, *name), vector(f.newton));
+    const auto id = std::get<std::int64_t>(target);
+    require_vertex(mesh, id);
+    return stages::vertex_force(mesh, id, vector(f.newton));
+  }
+  petsc::Tall operator()(const scene::EachForce& f) const {
+    const auto* name = std::get_if<std::string>(&target);
+    const double vertices = name ? static_cast<double>(find_set(mesh, *name).vertices_total) : 1;
+    return (*this)(scene::TotalForce{f.newton}) * vertices;
+  }
+  petsc::Tall operator()(const scene::Pressure& p) const {
+    return stages::pressure_force(mesh, find_surface(mesh, std::get<std::string>(target), "pressure"), p.pascal);
+  }
+  petsc::Tall operator()(const scene::Traction& t) const {
+    return stages::traction_force(mesh, find_surface(mesh, std::get<std::string>(target), "traction"),
+                                  vector(t.pascal));
+  }
+};
+
+}  // namespace
+
+stages::LoadAt scene_loads(const scene::Scene& scene, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
+                           const stages::Full& full) {
+  std::vector<Term> terms;
+  const auto add = [&](const petsc::Tall& force, const std::optional<scene::Table>& table) {
+    terms.push_back({mesh::from_vertices(mesh, dofs, force), table});
+  };
+  for (const auto& load : scene.loads) add(std::visit(UnitLoad{mesh, load.target}, load.kind), load.table);
+  if (scene.gravity) add(stages::body_force(mesh, full.scalar_mass, vector(*scene.gravity)), std::nullopt);
+  if (scene.shake) add(stages::body_force(mesh, full.scalar_mass, -vector(scene.shake->direction)), scene.shake->table);
+  return [terms, &scene, rows = dofs.owned](double t) {
+    petsc::Tall force = petsc::Tall::Zero(rows, 1);
+    for (const auto& term : terms) force += scene::factor(scene, term.table, t) * term.force;
+    return force;
+  };
+}
+
+SceneProbes::SceneProbes(const scene::Scene& scene, const mesh::Mesh& mesh) : comm_(mesh.comm) {
+  for (const auto& probe : scene.probes) {
+    Probe found{probe.name, {}, 1};
+    if (const auto* name = std::get_if<std::string>(&probe.target)) {
+      const mesh::Set& set = find_set(mesh, *name);
+      found.total = static_cast<double>(set.vertices_total);
+      for (const int v : set.vertices)
+        if (v < mesh.owned) found.vertices.push_back(v);
+    } else {
+      const auto id = std::get<std::int64_t>(probe.target);
+      require_vertex(mesh, id);
+      const auto end = mesh.ids.begin() + mesh.owned;
+      if (const auto here = std::find(mesh.ids.begin(), end, id); here != end)
+        found.vertices.push_back(static_cast<int>(here - mesh.ids.begin()));
+    }
+    probes_.push_back(std::move(found));
+  }
+}
+
+std::string SceneProbes::header() const {
+  std::string text = "t";
+  for (const auto& probe : probes_)
+    for (const auto* component : {"_ux", "_uy", "_uz"}) text += "," + probe.name + component;
+  return text;
+}
+
+Eigen::VectorXd SceneProbes::at(const petsc::ConstTallRef& u) const {
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(probes_.size()));
+  for (std::size_t p = 0; p < probes_.size(); ++p)
+    for (const int v : probes_[p].vertices)
+      values.segment<3>(3 * static_cast<Eigen::Index>(p)) += u.col(0).segment<3>(3 * v) / probes_[p].total;
+  parallel::sum_in_place(comm_, values);
+  return values;
+}
+
+}  // namespace ritz::app

@@ -1,0 +1,212 @@
+#include "ritz/petsc/newton.hpp"
+
+#include <cmath>
+#include <exception>
+
+#include "ritz/parallel/comm.hpp"
+#include "ritz/petsc/check.hpp"
+#include "ritz/petsc/csr.hpp"
+#include "ritz/petsc/multigrid.hpp"
+
+namespace ritz::petsc {
+namespace {
+
+constexpr PetscInt workspace_margin = 14, spare_percent = 50;  // MUMPS ICNTL(14)
+constexpr PetscInt parallel_root = 13;                         // ICNTL(13): a ScaLAPACK root hides its pivots' signs
+constexpr int most_iterations = 30;
+constexpr double linear_tolerance = 1e-8;  ///< of the iterative solver, relative to Newton's residual
+
+/// What the callbacks of one solve share. An exception may not cross PETSc's C: it waits here.
+struct Call {
+  const Equations& equations;
+  double tolerance, scale;
+  std::exception_ptr thrown;
+};
+
+Tall values(Vec v) {
+  PetscInt rows = 0;
+  const PetscScalar* array = nullptr;
+  check(VecGetLocalSize(v, &rows));
+  check(VecGetArrayRead(v, &array));
+  const Tall x = Eigen::Map<const Eigen::VectorXd>(array, rows);
+  check(VecRestoreArrayRead(v, &array));
+  return x;
+}
+
+void set_values(Vec v, const Tall& x) {
+  PetscScalar* array = nullptr;
+  check(VecGetArrayWrite(v, &array));
+  Eigen::Map<Eigen::VectorXd>(array, x.rows()) = x.col(0);
+  check(VecRestoreArrayWrite(v, &array));
+}
+
+template <class Work>
+PetscErrorCode guarded(void* context, Work work) {
+  auto& call = *static_cast<Call*>(context);
+  try {
+    work(call);
+    return 0;
+  } catch (...) {
+    call.thrown = std::current_exception();
+    return PETSC_ERR_USER;
+  }
+}
+
+PetscErrorCode residual(SNES, Vec x, Vec r, void* context) {
+  return guarded(context, [&](Call& call) {
+    Tall values_of_r;
+    call.equations.residual(values(x), values_of_r);
+    set_values(r, values_of_r);
+  });
+}
+
+PetscErrorCode tangent(SNES, Vec x, Mat, Mat, void* context) {
+  return guarded(context, [&](Call& call) { call.equations.tangent(values(x)); });
+}
+
+PetscErrorCode converged(SNES snes, PetscInt, PetscReal, PetscReal, PetscReal norm, SNESConvergedReason* reason,
+                         void* context) {
+  return guarded(context, [&](Call& call) {
+    *reason = SNES_CONVERGED_ITERATING;
+    if (!std::isfinite(norm)) *reason = SNES_DIVERGED_FNORM_NAN;
+    else if (norm <= call.tolerance * call.scale) *reason = SNES_CONVERGED_FNORM_RELATIVE;
+    else if (norm <= std::sqrt(call.tolerance) * call.scale) {
+      Vec x = nullptr;
+      check(SNESGetSolution(snes, &x));
+      if (norm <= call.equations.rounding(values(x))) *reason = SNES_CONVERGED_FNORM_ABS;
+    }
+  });
+}
+
+KSP linear(SNES snes) {
+  KSP ksp = nullptr;
+  check(SNESGetKSP(snes, &ksp));
+  return ksp;
+}
+
+PC preconditioner(KSP ksp) {
+  PC pc = nullptr;
+  check(KSPGetPC(ksp, &pc));
+  return pc;
+}
+
+void set_direct(KSP ksp, Mat A) {
+  PC pc = preconditioner(ksp);
+  check(KSPSetType(ksp, KSPPREONLY));
+  check(PCSetType(pc, PCCHOLESKY));
+  check(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
+  check(MatSetOptionsPrefixFactor(A, "solve_"));
+}
+
+void set_iterative(KSP ksp, Mat A, const ConstTallRef& near_null) {
+  PC pc = preconditioner(ksp);
+  attach_near_null(A, near_null);
+  check(KSPSetType(ksp, KSPCG));
+  check(KSPSetTolerances(ksp, linear_tolerance, PETSC_DEFAULT, PETSC_DEFAULT, 1000));
+  check(PCSetOptionsPrefix(pc, "multigrid_"));
+  check(PCSetType(pc, PCGAMG));
+  check(PCGAMGSetReuseInterpolation(pc, PETSC_TRUE));
+}
+
+/// The factor, when MUMPS makes it; what MUMPS is told before.
+Mat mumps_factor(KSP ksp) {
+  PC pc = preconditioner(ksp);
+  PetscBool factors = PETSC_FALSE;
+  Mat F = nullptr;
+  check(PetscObjectTypeCompareAny(reinterpret_cast<PetscObject>(pc), &factors, PCCHOLESKY, PCLU, ""));
+  if (!factors) return nullptr;
+  check(PCFactorSetUpMatSolverType(pc));
+  check(PCFactorGetMatrix(pc, &F));
+  MatSolverType type = nullptr;
+  check(MatFactorGetSolverType(F, &type));
+  return std::string(type) == MATSOLVERMUMPS ? F : nullptr;
+}
+
+NonlinearSolver make(MPI_Comm comm) {
+  NonlinearSolver snes;
+  SNESLineSearch search = nullptr;
+  check(SNESCreate(comm, snes.out()));
+  check(SNESSetOptionsPrefix(snes, "newton_"));
+  check(SNESSetType(snes, SNESNEWTONLS));
+  check(SNESSetTolerances(snes, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, most_iterations, PETSC_DEFAULT));
+  check(SNESGetLineSearch(snes, &search));
+  check(SNESLineSearchSetType(search, SNESLINESEARCHBASIC));
+  check(KSPSetOptionsPrefix(linear(snes), "solve_"));
+  return snes;
+}
+
+bool indefinite(KSP ksp) {
+  KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
+  check(KSPGetConvergedReason(ksp, &reason));
+  return reason == KSP_DIVERGED_INDEFINITE_MAT || reason == KSP_DIVERGED_INDEFINITE_PC;
+}
+
+SNESConvergedReason run(SNES snes, Call& call, Tall& x) {
+  Mat J = nullptr;
+  Vector solution;
+  check(SNESGetJacobian(snes, &J, nullptr, nullptr, nullptr));
+  check(MatCreateVecs(J, solution.out(), nullptr));
+  set_values(solution, x);
+  const PetscErrorCode code = SNESSolve(snes, nullptr, solution);
+  if (call.thrown) {
+    succeeds(code);
+    std::rethrow_exception(call.thrown);
+  }
+  check(code);
+  x = values(solution);
+  SNESConvergedReason reason = SNES_CONVERGED_ITERATING;
+  check(SNESGetConvergedReason(snes, &reason));
+  return reason;
+}
+
+}  // namespace
+
+Newton::Newton(Mat jacobian, LinearSolver solver, const ConstTallRef& near_null)
+    : snes_(make(PetscObjectComm(reinterpret_cast<PetscObject>(jacobian)))), jacobian_(jacobian), solver_(solver) {
+  KSP ksp = linear(snes_);
+  if (solver_ == LinearSolver::direct) set_direct(ksp, jacobian_);
+  else set_iterative(ksp, jacobian_, near_null);
+  check(SNESSetFromOptions(snes_));
+  check(KSPSetOperators(ksp, jacobian_, jacobian_));
+  if (Mat F = mumps_factor(ksp)) {
+    check(MatMumpsSetIcntl(F, workspace_margin, spare_percent));
+    check(MatMumpsSetIcntl(F, parallel_root, 1));
+  }
+}
+
+NewtonOutcome Newton::solve(const Equations& equations, double tolerance, double scale, Tall& x) {
+  if (!std::isfinite(scale)) return {.reason = "the forces are not finite"};
+  Call call{equations, tolerance, scale, nullptr};
+  check(SNESSetFunction(snes_, nullptr, residual, &call));
+  check(SNESSetJacobian(snes_, jacobian_, jacobian_, tangent, &call));
+  check(SNESSetConvergenceTest(snes_, converged, &call, nullptr));
+  const Tall start = x;
+  SNESConvergedReason reason = run(snes_, call, x);
+  if (solver_ == LinearSolver::iterative && reason < 0 && indefinite(linear(snes_))) {
+    x = start;
+    check(KSPSetType(linear(snes_), KSPFGMRES));
+    reason = run(snes_, call, x);
+    check(KSPSetType(linear(snes_), KSPCG));
+  }
+  PetscInt iterations = 0;
+  NewtonOutcome outcome;
+  check(SNESGetIterationNumber(snes_, &iterations));
+  check(SNESGetFunctionNorm(snes_, &outcome.residual));
+  outcome.result = reason > 0 ? Convergence::converged : Convergence::failed;
+  outcome.iterations = static_cast<int>(iterations);
+  outcome.reason = SNESConvergedReasons[reason];
+  return outcome;
+}
+
+std::int64_t Newton::negative_pivots() const {
+  PetscInt negative = 0;
+  if (Mat F = mumps_factor(linear(snes_))) check(MatMumpsGetInfog(F, 12, &negative));
+  return negative;
+}
+
+void read_newton_options(MPI_Comm comm) {
+  const NonlinearSolver snes = make(comm);
+  check(SNESSetFromOptions(snes));
+}
+
+}  // namespace ritz::petsc

@@ -1,0 +1,183 @@
+#include "ritz/stages/full_dynamics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "ritz/base/error.hpp"
+#include "ritz/petsc/check.hpp"
+#include "ritz/petsc/solve_mass.hpp"
+#include "ritz/stages/internal_force.hpp"
+
+namespace ritz::stages {
+namespace {
+
+constexpr int most_halvings = 10;
+
+/// Acceleration a d + a₀ and velocity v d + v₀ in balance with Σ_k w_k f(u₀ + s_k d) and a load, d = u₁ − u₀.
+struct Rule {
+  double a, v;
+  petsc::Tall a0, v0;
+  Eigen::VectorXd points, weights;
+  petsc::Tall load;
+};
+
+Rule rule(FullIntegrator integrator, const DynamicState& s, double dt, const petsc::Tall& F0, const petsc::Tall& F1) {
+  const Eigen::VectorXd one = Eigen::VectorXd::Ones(1);
+  const petsc::Tall none = petsc::Tall::Zero(s.u.rows(), 1);
+  switch (integrator) {
+    case FullIntegrator::avf: {
+      const double gauss = std::sqrt(3.0) / 6;
+      return {2 / (dt * dt),           1 / dt,       -2 / dt * s.v, none, Eigen::Vector2d(.5 - gauss, .5 + gauss),
+              Eigen::Vector2d(.5, .5), (F0 + F1) / 2};
+    }
+    case FullIntegrator::newmark: return {4 / (dt * dt), 2 / dt, -4 / dt * s.v - s.a, -s.v, one, one, F1};
+    case FullIntegrator::implicit_euler: break;
+  }
+  return {1 / (dt * dt), 1 / dt, -s.v / dt, none, one, one, F1};
+}
+
+petsc::Tall damp(const FullModel& model, const DynamicOptions& options, const petsc::Tall& v) {
+  petsc::Tall force = petsc::Tall::Zero(v.rows(), 1);
+  if (options.alpha != 0) force += options.alpha * petsc::multiply(model.full.mass, v);
+  if (options.beta != 0) force += options.beta * petsc::multiply(model.full.stiffness, v);
+  return force;
+}
+
+/// The equations of one step for d.
+class StepEquations {
+ public:
+  StepEquations(FullModel& model, const DynamicOptions& options, const Rule& rule, const petsc::Tall& u0)
+      : model_(model), options_(options), rule_(rule), u0_(u0) {}
+
+  petsc::Equations equations() {
+    return {[this](const petsc::Tall& d, petsc::Tall& r) { r = residual(d); },
+            [this](const petsc::Tall& d) { tangent(d); },
+            [this](const petsc::Tall& d) { return force_rounding(model_, u0_ + d); }};
+  }
+
+  /// The sum of the norms of the forces in balance where the step begins: a guess of its end may be far from anything
+  /// that happens, and its forces no measure.
+  double scale() const {
+    const petsc::Tall d = petsc::Tall::Zero(u0_.rows(), 1);
+    return norm(model_, inertia(d)) + norm(model_, damping(d)) + norm(model_, internal(d)) + norm(model_, rule_.load);
+  }
+
+  /// `d`, or 0 where that is nearer to balance.
+  petsc::Tall better_than_none(const petsc::Tall& d) const {
+    const petsc::Tall none = petsc::Tall::Zero(d.rows(), 1);
+    return norm(model_, residual(d)) < norm(model_, residual(none)) ? d : none;
+  }
+
+ private:
+  petsc::Tall inertia(const petsc::Tall& d) const { return petsc::multiply(model_.full.mass, rule_.a * d + rule_.a0); }
+  petsc::Tall damping(const petsc::Tall& d) const { return damp(model_, options_, rule_.v * d + rule_.v0); }
+
+  /// u₀ + s_k d over vertices, a column each.
+  petsc::Tall stations(const petsc::Tall& d) const {
+    petsc::Tall u(d.rows(), rule_.points.size());
+    for (Eigen::Index k = 0; k < u.cols(); ++k) u.col(k) = u0_.col(0) + rule_.points[k] * d.col(0);
+    return mesh::to_vertices(model_.mesh, model_.dofs, u);
+  }
+
+  petsc::Tall internal(const petsc::Tall& d) const {
+    const auto sums = internal_forces(model_.mesh, model_.full.materials, stations(d));
+    return mesh::from_vertices(model_.mesh, model_.dofs, sums.forces) * rule_.weights;
+  }
+
+  petsc::Tall residual(const petsc::Tall& d) const { return inertia(d) + damping(d) + internal(d) - rule_.load; }
+
+  void tangent(const petsc::Tall& d) {
+    Mat J = model_.tangent.matrix;
+    const Eigen::VectorXd weights = rule_.weights.cwiseProduct(rule_.points);
+    fill_tangent(model_.tangent, model_.mesh, model_.dofs, model_.full.materials, weights, stations(d));
+    petsc::check(MatAXPY(J, rule_.a + options_.alpha * rule_.v, model_.full.mass, SUBSET_NONZERO_PATTERN));
+    if (options_.beta != 0)
+      petsc::check(MatAXPY(J, options_.beta * rule_.v, model_.full.stiffness, SAME_NONZERO_PATTERN));
+  }
+
+  FullModel& model_;
+  const DynamicOptions& options_;
+  const Rule& rule_;
+  const petsc::Tall& u0_;
+};
+
+class Motion {
+ public:
+  Motion(FullModel& model, const DynamicOptions& options, const LoadAt& load)
+      : model_(model), options_(options), load_(load) {}
+
+  void advance(DynamicState& state, double dt, int depth) {
+    if (auto next = step(state, dt)) {
+      state = std::move(*next);
+      return;
+    }
+    ++report.rejected;
+    if (depth == most_halvings) give_up(state, dt);
+    advance(state, dt / 2, depth + 1);
+    advance(state, dt / 2, depth + 1);
+  }
+
+  DynamicReport report;
+
+ private:
+  /// Nothing where Newton did not converge.
+  std::optional<DynamicState> step(const DynamicState& now, double dt) {
+    const petsc::Tall F0 = load_(now.t), F1 = load_(now.t + dt);
+    const Rule r = rule(options_.integrator, now, dt, F0, F1);
+    StepEquations equations(model_, options_, r, now.u);
+    petsc::Tall d = equations.better_than_none(dt * now.v + dt * dt / 2 * now.a);
+    scale_ = equations.scale();
+    outcome_ = model_.newton.solve(equations.equations(), options_.tolerance, scale_, d);
+    report.newton_iterations += outcome_.iterations;
+    if (outcome_.result == petsc::Convergence::failed) return std::nullopt;
+
+    DynamicState next{now.t + dt, now.u + d, r.v * d + r.v0, r.a * d + r.a0, now.energies};
+    if (options_.integrator == FullIntegrator::avf) next.v = 2 / dt * d - now.v;
+    next.energies.work += dot(model_, d, F0 + F1) / 2;
+    next.energies.dissipated += dot(model_, d, damp(model_, options_, d)) / dt;
+    next.energies.kinetic = dot(model_, next.v, petsc::multiply(model_.full.mass, next.v)) / 2;
+    next.energies.elastic = energy_and_force(model_, next.u).energy;
+    return next;
+  }
+
+  [[noreturn]] void give_up(const DynamicState& state, double dt) const {
+    throw NumericalError("the step from t = " + shown(state.t) + " s did not converge, nor when halved down to " +
+                         shown(dt) + " s: Newton's relative residual " + shown(outcome_.residual / scale_) + ", " +
+                         outcome_.reason + "; take shorter steps");
+  }
+
+  FullModel& model_;
+  const DynamicOptions& options_;
+  const LoadAt& load_;
+  petsc::NewtonOutcome outcome_;
+  double scale_ = 1;
+};
+
+}  // namespace
+
+DynamicState start_dynamics(FullModel& model, const DynamicOptions& options, DynamicState state, const LoadAt& load) {
+  const auto [elastic, force] = energy_and_force(model, state.u);
+  auto& e = state.energies;
+  e.elastic = elastic;
+  e.kinetic = dot(model, state.v, petsc::multiply(model.full.mass, state.v)) / 2;
+  e.start = e.kinetic + e.elastic;
+  if (options.integrator == FullIntegrator::newmark)
+    state.a = petsc::solve_mass(model.full.mass, load(state.t) - damp(model, options, state.v) - force);
+  return state;
+}
+
+DynamicReport full_dynamics(FullModel& model, const DynamicOptions& options, DynamicState state, std::int64_t steps,
+                            const LoadAt& load, const std::function<void(const DynamicState&)>& reached) {
+  Motion motion(model, options, load);
+  const double start = state.t;
+  for (std::int64_t n = 1; n <= steps; ++n) {
+    motion.advance(state, options.dt, 0);
+    state.t = start + static_cast<double>(n) * options.dt;
+    motion.report.largest_drift = std::max(motion.report.largest_drift, std::abs(state.energies.drift()));
+    reached(state);
+  }
+  return motion.report;
+}
+
+}  // namespace ritz::stages

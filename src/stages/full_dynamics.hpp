@@ -1,0 +1,55 @@
+// The full model in time: implicit steps, each solved by Newton's method.
+#pragma once
+#include "ritz/stages/full_model.hpp"
+#include "ritz/stages/full_statics.hpp"
+
+namespace ritz::stages {
+
+/// For M a + D v + f(u) = F(t) with D = alpha M + beta K(0), over one step Δt from (u₀, v₀, a₀), d = u₁ − u₀:
+///  avf             the mean of f along the straight step, by two-point Gauss quadrature: energy-exact, f is a cubic
+///  newmark         β = ¼, γ = ½
+///  implicit_euler  v₁ = d/Δt, a₁ = (v₁ − v₀)/Δt
+enum class FullIntegrator { avf, newmark, implicit_euler };
+
+struct DynamicOptions {
+  FullIntegrator integrator = FullIntegrator::avf;
+  double alpha = 0;          ///< 1/s
+  double beta = 0;           ///< s
+  double dt = 0;             ///< s
+  double tolerance = 1e-10;  ///< of the residual, relative to the sum of the norms of the forces where the step begins
+};
+
+/// All of J. Until now, W the work of the loads and Q what damping took: E − E₀ = W − Q, up to what the integrator and
+/// Newton's tolerance leave.
+struct Energies {
+  double kinetic = 0, elastic = 0;
+  double work = 0;        ///< W = Σ d·(F₀ + F₁)/2
+  double dissipated = 0;  ///< Q = Σ d·D d/Δt
+  double start = 0;       ///< E₀
+
+  double drift() const { return kinetic + elastic - start - work + dissipated; }
+};
+
+/// Everything that the next step depends on.
+struct DynamicState {
+  double t = 0;
+  petsc::Tall u, v, a;  ///< m, m/s, m/s² over the free degrees of freedom; avf keeps the mean acceleration of its step
+  Energies energies;
+};
+
+struct DynamicReport {
+  std::int64_t newton_iterations = 0;
+  std::int64_t rejected = 0;  ///< steps that did not converge and were halved
+  double largest_drift = 0;   ///< |E − E₀ − W + Q|, J
+};
+
+/// At rest at t = 0, or as given: fills in energies and, for newmark, the consistent acceleration
+/// M a = F(t) − D v − f(u). *Collective*.
+DynamicState start_dynamics(FullModel& model, const DynamicOptions& options, DynamicState state, const LoadAt& load);
+
+/// `steps` steps of Δt; `reached` after each. A step that does not converge is rejected and halved, never accepted.
+/// Throws NumericalError that names its time and residual when halving does not help. *Collective*.
+DynamicReport full_dynamics(FullModel& model, const DynamicOptions& options, DynamicState state, std::int64_t steps,
+                            const LoadAt& load, const std::function<void(const DynamicState&)>& reached);
+
+}  // namespace ritz::stages

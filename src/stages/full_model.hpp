@@ -1,0 +1,45 @@
+// The unreduced StVK model, ready for Newton's method. Vectors are over the free degrees of freedom, one column.
+#pragma once
+#include <string>
+
+#include "ritz/petsc/newton.hpp"
+#include "ritz/stages/tangent.hpp"
+
+namespace ritz::stages {
+
+/// mesh, dofs and full must outlive it.
+struct FullModel {
+  const mesh::Mesh& mesh;
+  const mesh::Dofs& dofs;
+  const Full& full;
+  Tangent tangent;
+  petsc::Newton newton;
+};
+
+/// *Collective*.
+FullModel full_model(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full& full, petsc::LinearSolver solver);
+
+struct EnergyAndForce {
+  double energy;      ///< J
+  petsc::Tall force;  ///< f(u) = dE/du, N
+};
+
+/// *Collective*.
+EnergyAndForce energy_and_force(const FullModel& model, const petsc::Tall& u);
+
+/// What rounding can make of ‖f(u)‖, N: u known to ε times its largest component in a cell, through the cell's
+/// stiffness. *Collective*.
+double force_rounding(const FullModel& model, const petsc::Tall& u);
+
+/// Cells that are turned inside out somewhere: det F ≤ 0 at a point of the element's rule. *Collective*.
+std::int64_t inverted_cells(const FullModel& model, const petsc::Tall& u);
+
+/// ‖x‖₂. *Collective*.
+double norm(const FullModel& model, const petsc::Tall& x);
+/// x·y. *Collective*.
+double dot(const FullModel& model, const petsc::Tall& x, const petsc::Tall& y);
+
+/// "3.2e-05": for messages.
+std::string shown(double x);
+
+}  // namespace ritz::stages

@@ -1,0 +1,100 @@
+#include "ritz/stages/full_statics.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ritz/base/error.hpp"
+#include "ritz/stages/rigid_modes.hpp"
+
+namespace ritz::stages {
+namespace {
+
+constexpr int most_halvings = 10;  ///< of one increment: the load fraction of a limit point is known to 1/1024 of it
+constexpr double jump = .2;        ///< a change of u, relative to u, that no such increment makes on a smooth path
+
+void refuse_loose(const FullModel& model) {
+  const auto motions = rigid_motions(model.mesh, model.dofs).cols();
+  if (motions > 0)
+    throw InputError("[static]: the supports leave the body " + std::to_string(motions) +
+                     " rigid motions; hold it with -fix, or let it move with [time]");
+}
+
+class Loading {
+ public:
+  Loading(FullModel& model, const StaticOptions& options, const LoadAt& load)
+      : model_(model), options_(options), load_(load) {}
+
+  /// From `state` to the fraction `to`.
+  void advance(StaticState& state, double to, int depth) {
+    if (solve(state, to, depth)) return;
+    if (depth == most_halvings) give_up(state);
+    ++report.halvings;
+    advance(state, (state.fraction + to) / 2, depth + 1);
+    advance(state, to, depth + 1);
+  }
+
+  StaticReport report;
+
+ private:
+  bool solve(StaticState& state, double to, int depth) {
+    const petsc::Tall F = load_(to);
+    petsc::Tall u = state.u;
+    const petsc::Equations equations{[&](const petsc::Tall& x, petsc::Tall& r) {
+                                       auto [energy, force] = energy_and_force(model_, x);
+                                       energy_ = energy;
+                                       r = force - F;
+                                     },
+                                     [&](const petsc::Tall& x) {
+                                       fill_tangent(model_.tangent, model_.mesh, model_.dofs, model_.full.materials,
+                                                    Eigen::VectorXd::Ones(1),
+                                                    mesh::to_vertices(model_.mesh, model_.dofs, x));
+                                     },
+                                     [&](const petsc::Tall& x) { return force_rounding(model_, x); }};
+    const double scale = std::max(norm(model_, F), norm(model_, energy_and_force(model_, u).force));
+    outcome_ = model_.newton.solve(equations, options_.tolerance, scale, u);
+    scale_ = scale;
+    report.newton_iterations += outcome_.iterations;
+    unstable_ = outcome_.iterations > 0 ? model_.newton.negative_pivots() : 0;
+    if (outcome_.result == petsc::Convergence::failed || unstable_ > 0) return false;
+    const auto inverted = inverted_cells(model_, u);
+    const bool smooth = depth == most_halvings && norm(model_, u - state.u) <= jump * norm(model_, u);
+    if (inverted > report.inverted_cells && !smooth) return false;
+    report.inverted_cells = inverted;
+    state = {to, std::move(u), energy_};
+    return true;
+  }
+
+  [[noreturn]] void give_up(const StaticState& state) const {
+    std::string ending = "Newton's relative residual " + shown(outcome_.residual / scale_) + ", ";
+    if (outcome_.result == petsc::Convergence::failed) ending += outcome_.reason;
+    else if (unstable_ > 0) ending += std::to_string(unstable_) + " negative eigenvalues of the tangent";
+    else ending += "where the body has jumped and cells are inside out";
+    throw NumericalError("statics: no stable equilibrium was found beyond load fraction " + shown(state.fraction) +
+                         ", a limit point of the load or a bifurcation (" + ending + ")");
+  }
+
+  FullModel& model_;
+  const StaticOptions& options_;
+  const LoadAt& load_;
+  petsc::NewtonOutcome outcome_;
+  std::int64_t unstable_ = 0;
+  double energy_ = 0, scale_ = 1;
+};
+
+}  // namespace
+
+StaticReport full_statics(FullModel& model, const StaticOptions& options, StaticState start, const LoadAt& load,
+                          const std::function<void(const StaticState&)>& reached) {
+  refuse_loose(model);
+  Loading loading(model, options, load);
+  loading.report.inverted_cells = inverted_cells(model, start.u);
+  for (int step = 1; step <= options.steps; ++step) {
+    const double fraction = static_cast<double>(step) / options.steps;
+    if (fraction <= start.fraction * (1 + 1e-9)) continue;
+    loading.advance(start, fraction, 0);
+    reached(start);
+  }
+  return loading.report;
+}
+
+}  // namespace ritz::stages

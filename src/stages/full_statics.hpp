@@ -1,0 +1,37 @@
+// Equilibria of the full model under loads that grow step by step.
+#pragma once
+#include <functional>
+
+#include "ritz/stages/full_model.hpp"
+
+namespace ritz::stages {
+
+/// The dead load at load fraction (or time) t, N over the free degrees of freedom. *Collective*.
+using LoadAt = std::function<petsc::Tall(double t)>;
+
+struct StaticOptions {
+  int steps = 1;             ///< load fractions 1/steps, 2/steps, ... 1
+  double tolerance = 1e-10;  ///< ‖f(u) − F‖ / ‖F‖
+};
+
+struct StaticState {
+  double fraction = 0;
+  petsc::Tall u;  ///< m
+  double energy = 0;
+};
+
+struct StaticReport {
+  int newton_iterations = 0;
+  int halvings = 0;                 ///< load increments that had to be cut in two
+  std::int64_t inverted_cells = 0;  ///< at the end
+};
+
+/// f(u) = F(t) from `start` on to t = 1; `reached` is called after each of the steps that lie beyond it. Newton takes
+/// full steps; an increment that does not converge, or with the direct solver lands where the tangent has negative
+/// eigenvalues, is halved; so is one that turns more cells inside out, until they do so without a jump. Throws
+/// NumericalError that names the load fraction reached (a limit point, or a bifurcation, past which dead loads find no
+/// stable equilibrium), and InputError when the supports leave the body rigid motions. *Collective*.
+StaticReport full_statics(FullModel& model, const StaticOptions& options, StaticState start, const LoadAt& load,
+                          const std::function<void(const StaticState&)>& reached);
+
+}  // namespace ritz::stages

@@ -1,0 +1,39 @@
+"""What ritz-full refuses: scenes at odds with the mesh or with what the full model can do, and its own options."""
+from runner import Case
+
+WORDS = ["-mesh", "box:1,1,1/2,1,1/tet4", "-material_young", "1e6", "-material_poisson", ".3", "-material_density",
+         "1000", "-fix", "xmin"]
+TIME = "[time]\nstep = 0.01\nend = 0.02\n"
+LOAD = '[[load]]\nset = "xmax"\ntotal = [0, 0, 1]\n'
+
+
+def bad(name, scene, *says, words=(), code=2):
+    return Case(f"ritz-full: {name}", [*WORDS, "-scene", "scene.toml", *words], says, {"scene.toml": scene},
+                "ritz-full", code=code)
+
+
+CASES = [
+    Case("ritz-full: no scene", WORDS, ["-scene"], {}, "ritz-full"),
+    Case("ritz-full: a scene that is not there", [*WORDS, "-scene", "scene.toml"], ["scene.toml"], {}, "ritz-full"),
+    bad("a step of 0", TIME.replace("0.01", "0"), "scene.toml", "step"),
+    bad("a negative step", TIME.replace("0.01", "-0.01"), "scene.toml", "step"),
+    bad("a load on a set that is not there", TIME + LOAD.replace("xmax", "xmxa"), "'xmxa'", "'xmax'"),
+    bad("a probe on a set that is not there", TIME + '[[probe]]\nname = "a"\nset = "xmxa"\n', "'xmxa'", "'xmax'"),
+    bad("a load on a vertex that is not there", TIME + LOAD.replace('set = "xmax"', "vertex = 99"), "99", "1 to 12"),
+    bad("an integrator that it has not", TIME + 'integrator = "bdf2"\n' + LOAD, "bdf2", "avf, newmark and implicit-euler"),
+    bad("damping by modes", TIME + LOAD + "[damping]\nratio = 0.01\n", "ratio", "alpha and beta"),
+    bad("statics of a body that is not held", "[static]\nsteps = 2\n" + LOAD, "rigid motions", words=["-fix", "none"]),
+    bad("frames in two ways", TIME + LOAD, "-frames", "-every", words=["-frames", "3", "-every", "2"]),
+    bad("a frame every 0 steps", TIME + LOAD, "-every", words=["-every", "0"]),
+    bad("fewer than no frames", TIME + LOAD, "-frames", words=["-frames", "-1"]),
+    bad("-secne", TIME + LOAD, "-secne", "-scene?", words=["-secne", "a"]),
+    bad("an option of Newton's that is not there", TIME + LOAD, "-newton_snes_maxit", "-newton_snes_max_it?",
+        words=["-newton_snes_maxit", "3"]),
+    bad("a line search that is not there", TIME + LOAD, "foo", words=["-newton_snes_linesearch_type", "foo"]),
+    bad("an output that ends in .xdmf", TIME + LOAD, ".xdmf", words=["-output", "a.xdmf"]),
+    bad("an output in a folder that is not there", TIME + LOAD, "a/full.h5", words=["-output", "a/full.h5"]),
+    bad("a restart from nothing", TIME + LOAD, "-restart none.h5", words=["-restart", "none.h5"]),
+    bad("a restart from a scene", TIME + LOAD, "-restart scene.toml", words=["-restart", "scene.toml"]),
+    bad("a load beyond a limit point", "[static]\nsteps = 2\n" + LOAD.replace("[0, 0, 1]", "[-1e9, 0, 0]"),
+        "load fraction", "residual", code=1),
+]

@@ -1,0 +1,198 @@
+"""ritz-full as a program: what it writes, the same on any number of ranks, and that it goes on from where it stopped."""
+import csv
+import subprocess
+import unittest
+import xml.etree.ElementTree
+
+import h5py
+import numpy as np
+
+from bad_input.runner import sentences
+from mesh_file import write_shuffled_beam
+from program import BIN, InAFolder
+
+MATERIAL = ["-material_young", "1e6", "-material_poisson", ".3", "-material_density", "1000", "-quiet"]
+BEAM = ["-mesh", "box:1,.15,.1/6,2,1/hex8", "-fix", "xmin", *MATERIAL]
+SCENE = """
+gravity = [0, 0.5, -2]
+[time]
+step = 0.02
+end = {end}
+integrator = "{integrator}"
+[damping]
+alpha = 0.1
+beta = 0.001
+[shake]
+direction = [0, 1, 0]
+table = [[0, 0], [0.1, 3], [0.2, -3], [0.3, 0]]
+[[load]]
+set = "xmax"
+total = [0, 2, 4]
+table = [[0, 0], [0.2, 1], [0.4, 0]]
+[[load]]
+set = "ymax"
+pressure = 40
+[[load]]
+vertex = 7
+each = [0, 0, 1]
+[[probe]]
+name = "tip"
+set = "xmax"
+[[probe]]
+name = "corner"
+vertex = 7
+"""
+
+
+class Full(InAFolder):
+    def full(self, *words, ranks=2, code=0):
+        result = subprocess.run(["mpirun", "-n", str(ranks), BIN / "ritz-full", *words], cwd=self.folder,
+                                capture_output=True, text=True, timeout=240)
+        self.assertEqual(result.returncode, code, result.stderr)
+        return result
+
+    def scene(self, name="scene.toml", end=.4, integrator="avf", text=SCENE):
+        (self.folder / name).write_text(text.format(end=end, integrator=integrator))
+        return ["-scene", name]
+
+    def table(self, name):
+        with open(self.folder / name, newline="") as file:
+            header, *rows = csv.reader(file)
+        return header, np.array(rows, float)
+
+    def motion(self, name="full.h5"):
+        file = h5py.File(self.folder / name)
+        self.addCleanup(file.close)
+        return file
+
+
+class Files(Full):
+    def test_a_motion(self):
+        self.full(*BEAM, *self.scene(), "-frames", "5")
+        self.assertEqual(self.files(), {"scene.toml", "full.h5", "full.xdmf", "probes.csv", "energy.csv"})
+        file = self.motion()
+        self.assertEqual(file.attrs["format"], b"ritz-motion 1")
+        n = len(file["points"])
+        self.assertEqual(file["snapshots"].shape, (5, 3 * n))
+        self.assertEqual(file["displacement"].shape, (5, n, 3))
+        np.testing.assert_array_equal(file["displacement"][:].reshape(5, 3 * n), file["snapshots"][:])
+        for i in range(5):
+            np.testing.assert_array_equal(file[f"frames/{i}"][:], file["displacement"][i])
+        np.testing.assert_allclose(file["times"][:], .02 * np.arange(21), atol=1e-15)
+        np.testing.assert_array_equal(file["frame_times"][:], file["times"][::5])
+        np.testing.assert_array_equal(file["state/displacement"][:], file["displacement"][-1])
+        self.assertFalse(file["displacement"][:, file["points"][:, 0] == 0].any())
+        self.assertTrue(all("units" in file[name].attrs for name in ("points", "snapshots", "times", "frames/0")))
+        tree = xml.etree.ElementTree.parse(self.folder / "full.xdmf")
+        self.assertEqual(len(tree.findall(".//Time")), 5)
+
+    def test_probes(self):
+        self.full(*BEAM, *self.scene(), "-every", "1")
+        header, rows = self.table("probes.csv")
+        self.assertEqual(header, "t,tip_ux,tip_uy,tip_uz,corner_ux,corner_uy,corner_uz".split(","))
+        file = self.motion()
+        x, u = file["points"][:], file["displacement"][:]
+        tip = np.isclose(x[:, 0], 1)
+        corner = list(file["vertex_ids"]).index(7)
+        self.assertEqual(len(rows), 21)
+        np.testing.assert_allclose(rows[:, 1:4], u[:, tip].mean(axis=1), atol=1e-15)
+        np.testing.assert_allclose(rows[:, 4:], u[:, corner], atol=1e-15)
+        header, energies = self.table("energy.csv")
+        self.assertEqual(header, "t,kinetic,elastic,work,dissipated,drift".split(","))
+        self.assertLess(np.abs(energies[:, 5]).max(), 1e-9 * energies[:, 2].max())
+        self.assertGreater(energies[-1, 4], 0)
+
+    def test_statics_and_a_release(self):
+        pull = '[static]\nsteps = 2\n[[load]]\nset = "xmax"\ntotal = [0, 3, 5]\n[[probe]]\nname = "tip"\nset = "xmax"\n'
+        self.full(*BEAM, *self.scene("pull.toml", text=pull), "-output", "pulled.h5")
+        self.assertEqual(self.files(), {"pull.toml", "pulled.h5", "pulled.xdmf", "probes.csv"})
+        pulled = self.motion("pulled.h5")["state/displacement"][:]
+        np.testing.assert_array_equal(self.table("probes.csv")[1][:, 0], [0, .5, 1])
+        self.full(*BEAM, *self.scene("let_go.toml", text="[time]\nstep = 0.01\nend = 0.2\n"), "-restart", "pulled.h5")
+        file = self.motion()
+        np.testing.assert_array_equal(file["displacement"][0], pulled)
+        self.assertEqual(file["times"][0], 0)
+        self.assertGreater(np.abs(file["state/velocity"][:]).max(), .1)
+        energies = self.table("energy.csv")[1]
+        np.testing.assert_allclose(energies[:, 1] + energies[:, 2], energies[0, 2], rtol=1e-9)
+
+    def test_no_frames(self):
+        self.full(*BEAM, *self.scene(), "-frames", "0")
+        self.assertEqual(self.files(), {"scene.toml", "full.h5", "probes.csv", "energy.csv"})
+        self.assertNotIn("snapshots", self.motion())
+
+    def test_shared_option_files(self):
+        (self.folder / "a.opts").write_text("-modes 5\n-surface_only\n-modes_eps_tol 1e-9\n")
+        self.full(*BEAM, *self.scene(end=.04), "-options_file", "a.opts")
+
+
+class Restart(Full):
+    def test_the_same_as_without_a_stop(self):
+        for integrator in ("avf", "newmark", "implicit-euler"):
+            with self.subTest(integrator):
+                self.full(*BEAM, *self.scene(integrator=integrator), "-output", "whole.h5")
+                self.full(*BEAM, *self.scene(end=.24, integrator=integrator), "-output", "half.h5", ranks=3)
+                self.full(*BEAM, *self.scene(integrator=integrator), "-restart", "half.h5", "-output", "rest.h5")
+                whole, rest = self.motion("whole.h5"), self.motion("rest.h5")
+                np.testing.assert_allclose(rest["times"][:], whole["times"][12:], atol=1e-15)
+                for name in ("displacement", "velocity", "acceleration"):
+                    expected = whole["state"][name][:]
+                    self.assertLess(np.abs(rest["state"][name][:] - expected).max(), 1e-11 * np.abs(expected).max())
+                u = whole["state/displacement"][:]
+                self.assertLess(np.abs(rest["state/displacement"][:] - u).max(), 1e-12)
+                for name in ("work", "dissipated", "start"):
+                    self.assertAlmostEqual(rest["state"].attrs[name], whole["state"].attrs[name], delta=1e-11)
+
+    def test_what_it_cannot_go_on_from(self):
+        self.full(*BEAM, *self.scene(), "-output", "half.h5")
+        before = self.files()
+        for words, piece in ((["-fix", "xmax"], "another"), (["-material_young", "2e6"], "another"),
+                             ([], "nothing is left to do"), (["-restart", "scene.toml"], "scene.toml"),
+                             (["-restart", "none.h5"], "none.h5")):
+            said = self.full(*BEAM, *self.scene(), "-restart", "half.h5", *words, code=2).stderr
+            self.assertIn(piece, said)
+            self.assertEqual(self.files(), before)
+
+
+class FullDisk(Full):
+    def test_the_earlier_output_stays_alone(self):
+        """Whichever file does not fit; on a small file system of its own, where the machine lets us mount one."""
+        disk = self.folder / "disk"
+        disk.mkdir()
+        try_it = ["unshare", "-m", "mount", "-t", "tmpfs", "none", disk]
+        if subprocess.run(try_it, capture_output=True).returncode != 0:
+            self.skipTest("no file system may be mounted here")
+        self.scene()
+        words = [*BEAM, "-scene", self.folder / "scene.toml", "-mesh", "box:1,.15,.1/12,4,3/hex8"]
+        for size in ("16k", "64k", "120k", "180k"):
+            script = ('mount -t tmpfs -o size=$0 none . && cd "$PWD" && echo earlier > full.h5 && '
+                      'mpirun -n 2 "$@" >/dev/null; code=$?; ls; cat full.h5; exit $code')
+            result = subprocess.run(["unshare", "-m", "sh", "-c", script, size, BIN / "ritz-full", *words],
+                                    cwd=disk, capture_output=True, text=True, timeout=60)
+            self.assertEqual(result.returncode, 1, result.stderr)
+            self.assertEqual(len(sentences(result.stderr)), 1, result.stderr)
+            self.assertEqual(result.stdout, "full.h5\nearlier\n")
+
+
+class Ranks(Full):
+    def test_a_file_in_a_random_order(self):
+        write_shuffled_beam(self.folder / "m.msh")
+        scene = ("gravity = [0, 1, -1]\n[time]\nstep = 0.02\nend = 0.2\n[[probe]]\nname = 'a'\nvertex = %d\n")
+        vertex = int((self.folder / "m.msh").read_text().splitlines()[5].split()[0])
+        words = ["-mesh", "m.msh", "-fix", "box:-.01,.01,-1,1,-1,1", *MATERIAL,
+                 *self.scene(text=scene % vertex), "-every", "1"]
+        for solver in ("direct", "iterative"):
+            for ranks in (1, 2, 3):
+                self.full(*words, "-solver", solver, "-output", f"{solver}{ranks}.h5", ranks=ranks)
+        first = self.motion("direct1.h5")
+        expected = first["snapshots"][:]
+        for solver, tolerance in (("direct", 1e-10), ("iterative", 1e-8)):
+            for ranks in (1, 2, 3):
+                other = self.motion(f"{solver}{ranks}.h5")
+                for name in ("points", "vertex_ids", "cells"):
+                    np.testing.assert_array_equal(other[name][:], first[name][:])
+                self.assertLess(np.abs(other["snapshots"][:] - expected).max(), tolerance * np.abs(expected).max())
+
+
+if __name__ == "__main__":
+    unittest.main()
