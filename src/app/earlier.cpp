@@ -19,6 +19,7 @@ std::string obstacle(const format::ModelReader& in, const Checksums& now) {
   const auto then = format::read_provenance(in);
   if (then.mesh_checksum != now.mesh) return "it was made from another mesh";
   if (then.problem_checksum != now.problem) return "its materials or supports are others";
+  if (format::read_reduction(in)) return "it stores the columns of a basis, not modes";
   if (!format::read_modes(in)) return "it has no modes";
   if (format::read_geometry(in).rows != model::Rows::all) return "it stores the surface alone";
   return "";

@@ -6,6 +6,7 @@
 #include "ritz/app/geometry.hpp"
 #include "ritz/app/plan.hpp"
 #include "ritz/app/progress.hpp"
+#include "ritz/app/reduce.hpp"
 #include "ritz/app/resources.hpp"
 #include "ritz/app/warnings.hpp"
 #include "ritz/app/write_model.hpp"
@@ -43,7 +44,9 @@ void reduce(MPI_Comm comm, const config::Config& config) {
   });
   for (const auto& text : modes.notes) progress.warn(text);
 
-  const auto u = mesh::to_vertices(mesh, dofs, modes.vectors);
+  const auto reduced = reduce_basis(config, mesh, dofs, full, modes, progress);
+  const auto u = mesh::to_vertices(mesh, dofs, reduced.U);
+  const auto polynomial = reduce_forces(config, mesh, dofs, full, u, progress);
   const auto inertia = progress.stage("inertia", [&] { return stages::inertia(mesh, full.scalar_mass, u); });
   const auto loads = progress.stage("loads", [&] { return stages::set_loads(mesh, u); });
   if (config.exported != config::Export::nothing)
@@ -51,9 +54,14 @@ void reduce(MPI_Comm comm, const config::Config& config) {
 
   progress.stage("write", [&] {
     const auto order = file_order(mesh, materials, config.rows);
-    write_model(config, mesh, dofs, materials, order, u, modes, inertia, loads, progress);
+    auto figures = reduced.figures;
+    figures.insert(figures.end(), polynomial.witness.begin(), polynomial.witness.end());
+    write_model(config, mesh, dofs, materials, order,
+                {modes, u, reduced.reduction, polynomial.value, inertia, loads, figures}, progress);
   });
-  progress.line(summary(modes.modes, inertia) + peak_memory_line(comm) + "\nwrote " + config.output.string());
+  const auto of_modes = stages::inertia(mesh, full.scalar_mass, mesh::to_vertices(mesh, dofs, modes.vectors));
+  progress.line(summary(modes.modes, of_modes) + basis_lines(reduced, polynomial) + peak_memory_line(comm) +
+                "\nwrote " + config.output.string());
 }
 
 }  // namespace ritz::app

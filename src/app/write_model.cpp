@@ -48,8 +48,7 @@ model::Provenance provenance(const config::Config& config, const mesh::Mesh& mes
           parallel::size(mesh.comm)};
 }
 
-model::Report report(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const stages::ModesResult& modes,
-                     const Progress& progress) {
+model::Report report(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Results& results, const Progress& progress) {
   model::Report report;
   report.seconds = progress.seconds();
   report.notes = progress.warnings();
@@ -58,8 +57,9 @@ model::Report report(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const stage
                     {"degrees_of_freedom", static_cast<double>(dofs.total)},
                     {"pieces", static_cast<double>(mesh.pieces)},
                     {"dropped_vertices", static_cast<double>(mesh.dropped_vertices)},
-                    {"eigensolver_iterations", static_cast<double>(modes.iterations)},
+                    {"eigensolver_iterations", static_cast<double>(results.modes.iterations)},
                     {"peak_memory_bytes", parallel::sum(mesh.comm, peak_memory())}};
+  report.figures.insert(report.figures.end(), results.figures.begin(), results.figures.end());
   return report;
 }
 
@@ -96,20 +96,21 @@ void refuse_unwritable(MPI_Comm comm, const std::filesystem::path& output) {
 }
 
 void write_model(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
-                 const std::vector<fem::StVK>& materials, const FileOrder& order, const petsc::Tall& u,
-                 const stages::ModesResult& modes, const model::Inertia& inertia,
-                 const std::vector<model::SetLoad>& loads, const Progress& progress) {
+                 const std::vector<fem::StVK>& materials, const FileOrder& order, const Results& results,
+                 const Progress& progress) {
   const ParallelAccess access(mesh.comm);
   format::ModelWriter out(config.output, access.access);
   format::write_provenance(out, provenance(config, mesh, dofs, materials));
   format::write_geometry(out, order.geometry, order.slices);
-  write_columns(out, mesh.comm, order, u);
-  format::write_modes(out, modes.modes);
-  format::write_inertia(out, inertia);
-  format::write_loads(out, loads);
-  format::write_report(out, report(mesh, dofs, modes, progress));
+  write_columns(out, mesh.comm, order, results.u);
+  format::write_modes(out, results.modes.modes);
+  if (results.reduction) format::write_reduction(out, *results.reduction);
+  if (results.polynomial) format::write_polynomial(out, *results.polynomial);
+  format::write_inertia(out, results.inertia);
+  format::write_loads(out, results.loads);
+  format::write_report(out, report(mesh, dofs, results, progress));
   PendingFile table(mesh.comm, config.output.parent_path() / "frequencies.csv");
-  table.write(frequencies_csv(modes.modes));
+  table.write(frequencies_csv(results.modes.modes));
   out.commit();
   table.publish();
 }

@@ -1,6 +1,7 @@
 #include "ritz/config/config.hpp"
 
 #include <algorithm>
+#include <sstream>
 
 #include "ritz/base/error.hpp"
 #include "ritz/config/database.hpp"
@@ -89,6 +90,46 @@ void read_solver_options(MPI_Comm comm) {
   }
 }
 
+/// "4,9": ascending whole numbers from 1.
+std::vector<int> read_mode_list(Database& options) {
+  std::vector<int> modes;
+  const auto text = options.text("basis_modes");
+  if (!text) return modes;
+  std::istringstream words(*text);
+  for (std::string word; std::getline(words, word, ',');) {
+    const bool digits = !word.empty() && word.size() < 7 && word.find_first_not_of("0123456789") == word.npos;
+    const int mode = digits ? std::stoi(word) : 0;
+    if (mode < 1 || (!modes.empty() && mode <= modes.back()))
+      throw InputError("option -basis_modes " + *text +
+                       ": write the numbers of flexible modes, from 1, ascending, such as 4,9");
+    modes.push_back(mode);
+  }
+  return modes;
+}
+
+/// The options of the basis; any of them asks for one.
+void read_basis(Database& options, Config& config) {
+  stages::BasisOptions basis;
+  basis.modes = read_mode_list(options);
+  basis.derivatives = options.integer("derivatives", 0, 0);
+  const bool by_size = petsc::option_value("-basis").has_value();
+  const bool by_tolerance = petsc::option_value("-basis_tolerance").has_value();
+  if (by_size && by_tolerance)
+    throw InputError("options -basis and -basis_tolerance cut the basis in two ways: leave out one or the other");
+  if (by_size) basis.cut.size = options.integer("basis", 0, 1);
+  else basis.cut.tolerance = options.real("basis_tolerance", basis.cut.tolerance, 1e-12, 0.999);
+  config.snapshots = options.text("snapshots");
+  config.forces = options.flag("polynomial") ? ReducedForces::polynomial : ReducedForces::none;
+  if (basis.derivatives > config.modes.count)
+    throw InputError("option -derivatives " + std::to_string(basis.derivatives) + " asks for more modes than -modes " +
+                     std::to_string(config.modes.count) + "; raise -modes");
+  if (config.snapshots && config.snapshots->empty()) throw InputError("option -snapshots needs a file after it");
+  if (basis.derivatives > 0) config.modes.inverse = stages::InverseUse::kept;
+  if (basis.derivatives > 0 || by_size || by_tolerance || !basis.modes.empty() || config.snapshots ||
+      config.forces == ReducedForces::polynomial)
+    config.basis = basis;
+}
+
 std::optional<std::int64_t> read_count(Database& options, const std::string& name) {
   if (!petsc::option_value("-" + name)) return std::nullopt;
   return options.integer(name, 1, name == "every" ? 1 : 0);
@@ -120,6 +161,7 @@ Config read_config(MPI_Comm comm, Program program) {
   config.modes.count = options.integer("modes", 20, 0);
   config.modes.block = options.integer("modes_block", 4, 1, 64);
   config.modes.tolerance = options.real("modes_tolerance", 1e-10, 1e-14, 1e-2);
+  read_basis(options, config);
   const auto solvers = solver_options_given();
   refuse_smoother_options(solvers);
   config.modes.slepc = std::any_of(solvers.begin(), solvers.end(), [](const auto& o) { return is_slepc(o.first); });

@@ -13,6 +13,7 @@
 #include "ritz/fem/material.hpp"
 #include "ritz/mesh/dofs.hpp"
 #include "ritz/mesh/read.hpp"
+#include "ritz/stages/basis.hpp"
 #include "ritz/stages/linear_modes.hpp"
 
 namespace ritz::config {
@@ -35,6 +36,9 @@ struct FullOptions {
   std::optional<std::int64_t> frames, every;
 };
 
+/// What becomes of the nonlinear forces.
+enum class ReducedForces { none, polynomial };
+
 enum class Program { reduce, full };
 
 struct Config {
@@ -45,6 +49,9 @@ struct Config {
   std::map<std::string, MaterialOptions> by_region;  ///< wins over `material`
   Solver solver = Solver::automatic;
   stages::ModesOptions modes;
+  std::optional<stages::BasisOptions> basis;  ///< absent: U is the modes
+  std::optional<std::filesystem::path> snapshots;
+  ReducedForces forces = ReducedForces::none;
   std::optional<std::filesystem::path> reuse;
   StoredRows rows = StoredRows::all;
   Goal goal = Goal::model;

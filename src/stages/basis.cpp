@@ -31,12 +31,33 @@ void add_modes(Mat M, const Eigen::VectorXd& values, const petsc::Tall& flexible
   if (values.size() > 0) add(M, set, flexible * (values[0] / values.array()).matrix().asDiagonal(), cut);
 }
 
+/// The flexible modes that enter the basis.
+struct Entering {
+  Eigen::VectorXd values;
+  petsc::Tall vectors;
+};
+
+Entering entering(const ModesResult& modes, const std::vector<int>& chosen) {
+  const Index rigid = rigid_modes(modes.modes), flexible = modes.vectors.cols() - rigid;
+  const auto values = modes.modes.eigenvalues.tail(flexible);
+  const auto vectors = modes.vectors.rightCols(flexible);
+  if (chosen.empty()) return {values, vectors};
+  std::vector<Index> columns;
+  for (const int mode : chosen) {
+    if (mode > flexible)
+      throw InputError("option -basis_modes: there is no flexible mode " + std::to_string(mode) + " among the " +
+                       std::to_string(flexible) + " computed; raise -modes");
+    columns.push_back(mode - 1);
+  }
+  return {values(columns), vectors(Eigen::all, columns)};
+}
+
 void add_derivatives(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full& full, const ModesResult& modes,
-                     const Eigen::VectorXd& values, const BasisOptions& options, const ModesProgress& progress,
-                     Principal& set, BasisResult& result) {
+                     const Entering& in, const BasisOptions& options, const ModesProgress& progress, Principal& set,
+                     BasisResult& result) {
+  const Eigen::VectorXd& values = in.values;
   const int count = whole_cluster(values, options.derivatives);
-  const Index rigid = modes.vectors.cols() - values.size();
-  const petsc::Tall R = modes.vectors.leftCols(rigid), flexible = modes.vectors.middleCols(rigid, count);
+  const petsc::Tall R = modes.vectors.leftCols(rigid_modes(modes.modes)), flexible = in.vectors.leftCols(count);
   const auto weight = [&](Pair p) { return values[0] / values[p.i] * (values[0] / values[p.j]); };
   const int all = count * (count + 1) / 2;
   int done = 0;
@@ -100,22 +121,21 @@ void finish(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full& full, co
 
 BasisResult basis(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full& full, const ModesResult& modes,
                   const petsc::ConstTallRef& snapshots, const BasisOptions& options, const ModesProgress& progress) {
-  const Index rigid = rigid_modes(modes.modes), flexible = modes.vectors.cols() - rigid;
-  const Eigen::VectorXd values = modes.modes.eigenvalues.tail(flexible);
-  if (options.derivatives > flexible)
-    throw InputError("option -derivatives " + std::to_string(options.derivatives) + ": the body has only " +
-                     std::to_string(flexible) + " flexible modes; raise -modes or lower -derivatives");
+  const Entering in = entering(modes, options.modes);
+  if (options.derivatives > in.values.size())
+    throw InputError("option -derivatives " + std::to_string(options.derivatives) + ": only " +
+                     std::to_string(in.values.size()) + " flexible modes enter the basis; lower -derivatives");
   BasisResult result;
   Principal set;
-  add_modes(full.mass, values, modes.vectors.rightCols(flexible), options.cut, set);
-  if (options.derivatives > 0) add_derivatives(mesh, dofs, full, modes, values, options, progress, set, result);
+  add_modes(full.mass, in.values, in.vectors, options.cut, set);
+  if (options.derivatives > 0) add_derivatives(mesh, dofs, full, modes, in, options, progress, set, result);
   add_snapshots(full, snapshots, options.cut, set);
   require_enough(set, options.cut);
 
   const int r = kept(set, options.cut);
   result.reduction.singular_values = set.sigma;
   result.reduction.discarded = std::sqrt(set.discarded + set.sigma.tail(set.sigma.size() - r).squaredNorm());
-  finish(mesh, dofs, full, modes.vectors.leftCols(rigid), set.Q.leftCols(r), result);
+  finish(mesh, dofs, full, modes.vectors.leftCols(rigid_modes(modes.modes)), set.Q.leftCols(r), result);
   return result;
 }
 

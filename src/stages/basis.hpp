@@ -11,7 +11,8 @@
 namespace ritz::stages {
 
 struct BasisOptions {
-  int derivatives = 0;  ///< K': of the first so many modes; a cluster there is kept whole
+  std::vector<int> modes;  ///< flexible modes that enter, from 1, ascending; empty: all
+  int derivatives = 0;     ///< K': of the first so many modes that enter; a cluster there is kept whole
   Cut cut;
   int block = 48;  ///< derivatives solved at once, about
 };

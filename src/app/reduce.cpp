@@ -1,0 +1,80 @@
+#include "ritz/app/reduce.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "ritz/app/snapshots.hpp"
+#include "ritz/base/error.hpp"
+#include "ritz/stages/reduce_polynomial.hpp"
+
+namespace ritz::app {
+namespace {
+
+constexpr Eigen::Index most_coordinates = 150;  ///< of a polynomial: its quartic part then has 22 million numbers
+
+double figure(const stages::Figures& figures, const std::string& name) {
+  for (const auto& [key, value] : figures)
+    if (key == name) return value;
+  return 0;
+}
+
+template <class... Values>
+std::string line(const char* format, Values... values) {
+  char text[256];
+  std::snprintf(text, sizeof text, format, values...);
+  return text;
+}
+
+stages::Figures taylor(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
+                       const stages::Full& full, const stages::ModesResult& modes) {
+  if (config.basis->derivatives == 0) return {};
+  const auto rigid = std::ranges::count(modes.modes.kinds, model::ModeKind::rigid);
+  const petsc::Tall R = modes.vectors.leftCols(rigid), flexible = modes.vectors.rightCols(modes.vectors.cols() - rigid);
+  return stages::taylor_witness({mesh, dofs, full, R, flexible, modes.inverse}, full.materials);
+}
+
+}  // namespace
+
+ReducedBasis reduce_basis(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
+                          const stages::Full& full, const stages::ModesResult& modes, Progress& progress) {
+  if (!config.basis) return {modes.vectors, {}, {}};
+  petsc::Tall snapshots(dofs.owned, 0);
+  if (config.snapshots) snapshots = read_snapshots(*config.snapshots, mesh, dofs);
+  auto basis = progress.stage("basis", [&] {
+    return stages::basis(mesh, dofs, full, modes, snapshots, *config.basis,
+                         [&](const std::string& what, double fraction) { progress.update(what, fraction); });
+  });
+  const auto witness = progress.stage("witness", [&] { return taylor(config, mesh, dofs, full, modes); });
+  basis.figures.insert(basis.figures.end(), witness.begin(), witness.end());
+  return {std::move(basis.U), std::move(basis.reduction), std::move(basis.figures)};
+}
+
+ReducedPolynomial reduce_forces(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
+                                const stages::Full& full, const petsc::Tall& u, Progress& progress) {
+  if (config.forces == config::ReducedForces::none) return {};
+  if (u.cols() > most_coordinates)
+    throw InputError("a polynomial of " + std::to_string(u.cols()) + " coordinates is too large (at most " +
+                     std::to_string(most_coordinates) + "); give -basis R, such as -basis 30");
+  auto value = progress.stage("polynomial", [&] { return stages::reduce_polynomial(mesh, full.materials, u); });
+  auto witness = progress.stage("witness", [&] { return stages::polynomial_witness(mesh, dofs, full, u, value); });
+  return {std::move(value), std::move(witness)};
+}
+
+std::string basis_lines(const ReducedBasis& basis, const ReducedPolynomial& polynomial) {
+  if (!basis.reduction) return "";
+  const auto& sigma = basis.reduction->singular_values;
+  std::string text = line("basis: %td columns; singular values %.3g ... %.3g of %td found, %.3g left out\n",
+                          basis.reduction->stiffness.size(), sigma[0], sigma[basis.reduction->stiffness.size() - 1],
+                          sigma.size(), basis.reduction->discarded);
+  if (const double pairs = figure(basis.figures, "derivative_pairs"); pairs > 0)
+    text += line("modal derivatives: %.0f pairs, %.0f solved, %.0f too small to matter; Taylor slope %.3f\n", pairs,
+                 figure(basis.figures, "derivatives_solved"), figure(basis.figures, "derivatives_skipped"),
+                 figure(basis.figures, "witness_taylor_slope"));
+  if (polynomial.value)
+    text += line("polynomial: %td quartic coefficients; against the full model: force %.1e, energy %.1e, K(0) %.1e\n",
+                 polynomial.value->quartic.size(), figure(polynomial.witness, "witness_force"),
+                 figure(polynomial.witness, "witness_energy"), figure(polynomial.witness, "witness_stiffness"));
+  return text;
+}
+
+}  // namespace ritz::app
