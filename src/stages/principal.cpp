@@ -2,6 +2,7 @@
 
 #include <Eigen/SVD>
 #include <algorithm>
+#include <utility>
 
 namespace ritz::stages {
 namespace {
@@ -9,7 +10,8 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-constexpr double margin = 1e-3;        ///< of the σ at the cut: what is dropped while the set still grows
+constexpr double margin = 1e-3;  ///< of the σ at the cut: what is dropped while the set still grows
+constexpr double small_enough_for_jacobi = 1e-9;
 constexpr double independent = 1e-13;  ///< of σ₁: rounding makes smaller directions up
 
 MPI_Comm comm_of(Mat A) { return PetscObjectComm(reinterpret_cast<PetscObject>(A)); }
@@ -18,6 +20,14 @@ MPI_Comm comm_of(Mat A) { return PetscObjectComm(reinterpret_cast<PetscObject>(A
 petsc::Tall normalised(MPI_Comm comm, const petsc::ConstTallRef& block) {
   const Eigen::VectorXd norms = petsc::column_norms(comm, block);
   return block * norms.unaryExpr([](double n) { return n > 0 ? 1 / n : 0; }).asDiagonal();
+}
+
+/// Singular values and left vectors. Where directions far below σ₁ are kept they come by Jacobi's rotations, which are
+/// right relative to each σ; else by the much faster divide and conquer, right to rounding of σ₁.
+template <class Svd>
+std::pair<Eigen::VectorXd, MatrixXd> decompose(const MatrixXd& small) {
+  const Svd svd(small, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  return {svd.singularValues(), svd.matrixU()};
 }
 
 }  // namespace
@@ -42,12 +52,14 @@ void add(Mat M, Principal& set, const petsc::ConstTallRef& block, const Cut& cut
   MatrixXd small = MatrixXd::Zero(both.cols(), old + block.cols());
   small.topLeftCorner(old, old) = set.sigma.asDiagonal();
   small.rightCols(block.cols()) = petsc::inner(comm, both, petsc::multiply(M, block));
-  const Eigen::JacobiSVD<MatrixXd> svd(small, Eigen::ComputeThinU);
-  set.sigma = svd.singularValues();
+  const bool graded = old == 0 || negligible(set, cut) < small_enough_for_jacobi * set.sigma[0];
+  auto [sigma, left] =
+      graded ? decompose<Eigen::JacobiSVD<MatrixXd>>(small) : decompose<Eigen::BDCSVD<MatrixXd>>(small);
+  set.sigma = std::move(sigma);
   const double least = negligible(set, cut);
   const Index count = (set.sigma.array() > least).count();
   set.discarded += set.sigma.tail(set.sigma.size() - count).squaredNorm();
-  set.Q = petsc::combine(both, svd.matrixU().leftCols(count));
+  set.Q = petsc::combine(both, left.leftCols(count));
   set.sigma.conservativeResize(count);
 }
 

@@ -16,7 +16,7 @@ using Eigen::Index;
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 constexpr int strains = 6;
-constexpr Index panel_rows = 192;  ///< strain rows that one `dsyrk` takes
+constexpr Index panel_columns = 192;  ///< strains that one `dsyrk` takes
 
 Index pair_count(Index r) { return r * (r + 1) / 2; }
 
@@ -36,64 +36,70 @@ struct Metric {
   }
 };
 
-/// Rows of strains, transposed: a column of y's length a strain row, so that a cell writes contiguous numbers.
+/// The strains Q_ij for j = i ... r-1 times the metric, into six columns `stride` apart. G: 9 x r, row by row.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+__attribute__((target_clones("arch=x86-64-v3", "default")))
+#endif
+void fill_pairs(const double* G, Index r, Index i, double direct, double trace, double shear, double* to,
+                Index stride) {
+  double g[9];
+  for (int k = 0; k < 9; ++k) g[k] = G[k * r + i];
+  double *s0 = to, *s1 = s0 + stride, *s2 = s1 + stride, *s3 = s2 + stride, *s4 = s3 + stride, *s5 = s4 + stride;
+  const double half_shear = shear / 2;
+#pragma GCC ivdep
+  for (Index j = i; j < r; ++j) {
+    const double *a = G + j, *b = a + 3 * r, *c = b + 3 * r;
+    const double ax = a[0], ay = a[r], az = a[2 * r], bx = b[0], by = b[r], bz = b[2 * r], cx = c[0], cy = c[r],
+                 cz = c[2 * r];
+    const double xx = g[0] * ax + g[3] * bx + g[6] * cx, yy = g[1] * ay + g[4] * by + g[7] * cy,
+                 zz = g[2] * az + g[5] * bz + g[8] * cz, all = trace * (xx + yy + zz);
+    s0[j - i] = direct * xx + all;
+    s1[j - i] = direct * yy + all;
+    s2[j - i] = direct * zz + all;
+    s3[j - i] = half_shear * (g[0] * ay + g[3] * by + g[6] * cy + g[1] * ax + g[4] * bx + g[7] * cx);
+    s4[j - i] = half_shear * (g[1] * az + g[4] * bz + g[7] * cz + g[2] * ay + g[5] * by + g[8] * cy);
+    s5[j - i] = half_shear * (g[2] * ax + g[5] * bx + g[8] * cx + g[0] * az + g[3] * bz + g[6] * cz);
+  }
+}
+
+/// Strains as columns as long as y, until there are enough of them for one `dsyrk`.
 class Panel {
  public:
-  explicit Panel(Index r) : gram(Eigen::MatrixXd::Zero(size(r), size(r))), r_(r), rows_(panel_rows, size(r)) {}
+  explicit Panel(Index r) : gram(Eigen::MatrixXd::Zero(size(r), size(r))), r_(r), strains_(size(r), panel_columns) {}
 
   Eigen::MatrixXd gram;  ///< upper triangle
 
   /// `G`: 9 x r, displacement gradients of all columns, row by row.
   void add(const RowMajor& G, const Metric& metric) {
-    if (used_ + strains > panel_rows) flush();
+    if (used_ + strains > panel_columns) flush();
     fill_linear(G, metric);
-    for (Index i = 0; i < r_; ++i) fill_pairs(G, metric, i);
+    for (Index i = 0; i < r_; ++i) {
+      const Index start = r_ + pair(r_, i, i);
+      fill_pairs(G.data(), r_, i, metric.direct, metric.trace, metric.shear, &strains_(start, used_), size(r_));
+      strains_.block(start, used_, 1, strains) /= 2;  // Q_ii = ½ G_iᵀG_i
+    }
     used_ += strains;
   }
 
   void flush() {
-    if (used_ == 0) return;
-    block_ = rows_.topRows(used_);
-    petsc::add_gram(gram, block_);
+    petsc::add_gram(gram, strains_.leftCols(used_));
     used_ = 0;
   }
 
  private:
   static Index size(Index r) { return r + pair_count(r); }
 
-  template <class A, class B, class C, class D, class E, class F>
-  void store(Index column, Index count, const Metric& m, const A& xx, const B& yy, const C& zz, const D& xy,
-             const E& yz, const F& zx) {
-    trace_ = m.trace * (xx + yy + zz);
-    rows_.row(used_).segment(column, count) = m.direct * xx + trace_;
-    rows_.row(used_ + 1).segment(column, count) = m.direct * yy + trace_;
-    rows_.row(used_ + 2).segment(column, count) = m.direct * zz + trace_;
-    rows_.row(used_ + 3).segment(column, count) = m.shear * xy;
-    rows_.row(used_ + 4).segment(column, count) = m.shear * yz;
-    rows_.row(used_ + 5).segment(column, count) = m.shear * zx;
-  }
-
   void fill_linear(const RowMajor& G, const Metric& m) {
-    store(0, r_, m, G.row(0), G.row(4), G.row(8), (G.row(1) + G.row(3)) / 2, (G.row(5) + G.row(7)) / 2,
-          (G.row(2) + G.row(6)) / 2);
-  }
-
-  /// Q_ij = sym(G_iᵀG_j) for j ≥ i; Q_ii = ½ G_iᵀG_i.
-  void fill_pairs(const RowMajor& G, const Metric& m, Index i) {
-    const Index count = r_ - i, column = r_ + pair(r_, i, i);
-    const auto product = [&](Index a, Index b) {
-      return G(a, i) * G.row(b).tail(count) + G(3 + a, i) * G.row(3 + b).tail(count) +
-             G(6 + a, i) * G.row(6 + b).tail(count);
-    };
-    store(column, count, m, product(0, 0), product(1, 1), product(2, 2), (product(0, 1) + product(1, 0)) / 2,
-          (product(1, 2) + product(2, 1)) / 2, (product(2, 0) + product(0, 2)) / 2);
-    rows_.block(used_, column, strains, 1) /= 2;
+    auto to = strains_.block(0, used_, r_, strains);
+    const Eigen::RowVectorXd trace = m.trace * (G.row(0) + G.row(4) + G.row(8));
+    for (int c = 0; c < 3; ++c) to.col(c) = (m.direct * G.row(4 * c) + trace).transpose();
+    to.col(3) = m.shear / 2 * (G.row(1) + G.row(3)).transpose();
+    to.col(4) = m.shear / 2 * (G.row(5) + G.row(7)).transpose();
+    to.col(5) = m.shear / 2 * (G.row(2) + G.row(6)).transpose();
   }
 
   Index r_;
-  RowMajor rows_;
-  Eigen::MatrixXd block_;
-  Eigen::RowVectorXd trace_;
+  Eigen::MatrixXd strains_;
   Index used_ = 0;
 };
 
