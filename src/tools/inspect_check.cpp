@@ -18,6 +18,22 @@ void require(bool holds, const format::ModelReader& in, const std::string& what)
   if (!holds) throw InputError(in.name() + ": " + what + "; do not use this model, write it again with ritz-reduce");
 }
 
+/// Every model has these parts, a mode for each column of U, and a load for each set of which it stores vertices.
+std::string check_parts(const format::ModelReader& in, const model::Body& body) {
+  require(!body.geometry.materials.empty(), in, "the materials are missing");
+  require(body.inertia.has_value(), in, "the inertia is missing");
+  require(body.modes.has_value(), in, "the modes are missing");
+  require(body.modes->eigenvalues.size() == body.basis.U.cols(), in,
+          text("there are %td modes for %td columns of U", body.modes->eigenvalues.size(), body.basis.U.cols()));
+  for (const auto& set : body.geometry.sets)
+    require(set.rows.empty() || std::ranges::find(body.loads, set.name, &model::SetLoad::set) != body.loads.end(), in,
+            "the load on the set '" + set.name + "' is missing");
+  for (const auto& load : body.loads)
+    require(std::ranges::find(body.geometry.sets, load.set, &model::VertexSet::name) != body.geometry.sets.end(), in,
+            "the set '" + load.set + "' is missing, on which there is a load");
+  return "no part is missing";
+}
+
 std::string check_numbers(const format::ModelReader& in, const model::Body& body) {
   require(body.geometry.points.allFinite(), in, "a coordinate is not a finite number");
   require(body.basis.U.allFinite(), in, "an entry of U is not a finite number");
@@ -70,12 +86,11 @@ void check(const format::ModelReader& in, std::ostream& out) {
   ok(text("%zu datasets have the checksums they were written with", verified));
   const auto model = format::read(in);
   ok("the parts have shapes that fit together");
+  ok(check_parts(in, model.body));
   ok(check_numbers(in, model.body));
-  if (model.body.modes) {
-    ok(check_modes(in, *model.body.modes));
-    ok(check_certificate(in, model.body.modes->certificate));
-  }
-  if (model.body.inertia) ok(check_inertia(in, *model.body.inertia));
+  ok(check_modes(in, *model.body.modes));
+  ok(check_certificate(in, model.body.modes->certificate));
+  ok(check_inertia(in, *model.body.inertia));
 }
 
 }  // namespace ritz::tools
