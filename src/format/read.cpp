@@ -12,7 +12,7 @@ namespace {
 std::string text(const Shape& shape) {
   std::string s;
   for (const auto length : shape) s += (s.empty() ? "" : " x ") + (length == any ? "any" : std::to_string(length));
-  return s.empty() ? "one number" : s;
+  return s;
 }
 
 Shape extent(hid_t dataset) {
@@ -20,6 +20,12 @@ Shape extent(hid_t dataset) {
   std::vector<hsize_t> dims(static_cast<std::size_t>(std::max(0, H5Sget_simple_extent_ndims(space.get()))));
   H5Sget_simple_extent_dims(space.get(), dims.data(), nullptr);
   return {dims.begin(), dims.end()};
+}
+
+/// What a model holds: rows of numbers or of texts of one length.
+bool holds_plain_values(hid_t type) {
+  const auto kind = H5Tget_class(type);
+  return kind == H5T_INTEGER || kind == H5T_FLOAT || (kind == H5T_STRING && H5Tis_variable_str(type) == 0);
 }
 
 herr_t collect(hid_t, const char* name, const H5L_info_t*, void* names) {
@@ -62,6 +68,8 @@ StoredArray::StoredArray(const ModelReader& in, std::string path) : in_(in), pat
   if (!dataset_) fail(in, path_, "is not a readable dataset");
   type_ = Type(H5Dget_type(dataset_.get()));
   shape_ = extent(dataset_.get());
+  if (shape_.empty()) fail(in, path_, "is a single value where a list is expected");
+  if (!holds_plain_values(type_.get())) fail(in, path_, "has values that are neither numbers nor fixed-length texts");
 }
 
 std::size_t StoredArray::row_bytes() const {
@@ -116,8 +124,7 @@ Eigen::VectorXd read_column(const ModelReader& in, const std::string& path, Inde
 std::vector<std::string> read_texts(const ModelReader& in, const std::string& path, Index columns) {
   if (!exists(in, path)) return {};
   const StoredArray array(in, path);
-  if (H5Tget_class(array.type()) != H5T_STRING || H5Tis_variable_str(array.type()) != 0)
-    fail(in, path, "is not a table of fixed-length texts");
+  if (H5Tget_class(array.type()) != H5T_STRING) fail(in, path, "is not a table of fixed-length texts");
   array.expect(columns == 1 ? Shape{any} : Shape{any, columns}, array.type());
   const auto width = H5Tget_size(array.type());
   std::string bytes(static_cast<std::size_t>(array.rows()) * array.row_bytes(), '\0');

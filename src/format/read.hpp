@@ -27,13 +27,13 @@ std::string read_text(const ModelReader& in, const std::string& object, const ch
 using Shape = std::vector<Index>;
 inline constexpr Index any = -1;  ///< in an expected shape: any length
 
-/// A dataset open for reading.
+/// A dataset open for reading: numbers or fixed-length texts, in one or more dimensions.
 class StoredArray {
  public:
   StoredArray(const ModelReader& in, std::string path);
 
   const Shape& shape() const { return shape_; }
-  Index rows() const { return shape_.empty() ? 0 : shape_.front(); }
+  Index rows() const { return shape_.front(); }
   std::size_t row_bytes() const;
   hid_t type() const { return type_.get(); }
   hid_t dataset() const { return dataset_.get(); }

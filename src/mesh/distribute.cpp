@@ -121,6 +121,7 @@ std::pair<Part, Shared> distribute(MPI_Comm comm, const FileMesh& mesh, Partitio
     for (const auto& set : mesh.sets) shared.set_names.push_back(set.name);
     shared.pieces = topology.pieces;
     shared.components = topology.components;
+    shared.hanging_faces = topology.hanging_faces;
     shared.joints = topology.joints;
     if (partitioner == Partitioner::metis)
       owners = partition_metis(static_cast<Index>(mesh.cell_types.size()), topology.neighbours, ranks);

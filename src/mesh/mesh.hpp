@@ -56,7 +56,7 @@ struct Support {
 /// A vertex where several rigid pieces meet: the body can hinge there.
 struct Joint {
   std::array<double, 3> point;
-  std::vector<int> pieces;
+  std::vector<int> pieces;  ///< all of them; the first is the vertex's in Mesh::vertex_pieces
 };
 
 struct Mesh {
@@ -71,7 +71,7 @@ struct Mesh {
   std::vector<Index> ids;             ///< the file's own numbers
   std::vector<Index> global;          ///< global number: owned ones contiguous by rank
   Eigen::Matrix3Xd points;            ///< m
-  std::vector<int> vertex_pieces;     ///< a piece that the vertex belongs to
+  std::vector<int> vertex_pieces;     ///< a piece that the vertex belongs to; see joints
 
   Cells cells;
   std::vector<CellFace> boundary;  ///< boundary faces of owned cells
@@ -83,6 +83,7 @@ struct Mesh {
   int components = 0;  ///< parts connected at all
   std::vector<Joint> joints;
   Index dropped_vertices = 0;  ///< in the file, in no cell
+  Index hanging_faces = 0;     ///< of a Tet10 on a cell of straight edges, which its mid-edge vertices are no part of
   std::uint64_t checksum = 0;  ///< of vertices, cells and regions; the same on any number of ranks
 
   int local_vertices() const { return static_cast<int>(file_positions.size()); }

@@ -151,6 +151,7 @@ Mesh number_part(MPI_Comm comm, Part part, Shared shared) {
   mesh.vertices_total = shared.vertices_total;
   mesh.cells_total = shared.cells_total;
   mesh.dropped_vertices = shared.dropped_vertices;
+  mesh.hanging_faces = shared.hanging_faces;
   mesh.regions = std::move(shared.regions);
   mesh.pieces = shared.pieces;
   mesh.components = shared.components;

@@ -34,7 +34,7 @@ struct Part {
 
 /// What all ranks know alike.
 struct Shared {
-  Index vertices_total = 0, cells_total = 0, dropped_vertices = 0;
+  Index vertices_total = 0, cells_total = 0, dropped_vertices = 0, hanging_faces = 0;
   std::vector<Region> regions;
   std::vector<std::string> set_names;
   int pieces = 1, components = 1;

@@ -70,6 +70,10 @@ std::vector<std::string> warnings(const Mesh& mesh) {
                     text_of(smallest) + "); the conditioning suffers");
   if (mesh.dropped_vertices > 0)
     notes.push_back(std::to_string(mesh.dropped_vertices) + " vertices that no cell uses were dropped");
+  if (mesh.hanging_faces > 0)
+    notes.push_back(std::to_string(mesh.hanging_faces) + (mesh.hanging_faces == 1 ? " face joins" : " faces join") +
+                    " a tet10 to a tet4 or hex8: the mesh is not conforming there (mid-edge vertices hang), and cells "
+                    "come apart or overlap; use cells of one order");
   if (mesh.components > 1)
     notes.push_back("the mesh falls into " + std::to_string(mesh.components) + " disconnected pieces");
   else if (mesh.pieces > 1)

@@ -12,7 +12,7 @@ namespace ritz::mesh {
 void refuse_inverted_cells(const Mesh& mesh);
 
 /// One sentence for each thing that a careful user would want to know: slivers under 1 degree, dropped vertices,
-/// several pieces. Same on all ranks. *Collective*.
+/// faces that do not conform, several pieces. Same on all ranks. *Collective*.
 std::vector<std::string> warnings(const Mesh& mesh);
 
 }  // namespace ritz::mesh

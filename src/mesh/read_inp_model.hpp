@@ -61,7 +61,7 @@ struct InpSection {
 };
 
 struct InpBoundary {
-  std::string target;  ///< a node set or a node
+  std::string target;  ///< a node set, a node, or an element set: its elements' nodes
   std::array<bool, 3> components;
   Place place;
 };

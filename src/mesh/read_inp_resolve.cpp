@@ -33,15 +33,19 @@ std::vector<Index> cells_of(const Resolver& look, const InpSet& set) {
   return cells;
 }
 
+void add_vertices_of_cells(const Resolver& look, const InpSet& elements, std::vector<Index>& vertices) {
+  for (const Index cell : cells_of(look, elements)) {
+    for (const Index id : look.model.mesh.vertices_of(cell)) {
+      if (const Index vertex = look.ids.vertices.find(id); vertex >= 0) vertices.push_back(vertex);
+    }
+  }
+}
+
 std::vector<Index> vertices_of(const Resolver& look, const InpSet& set) {
   auto vertices = set.positions;
   add_members(look, look.ids.vertices, "node", set, vertices);
   for (const std::size_t elements : set.element_sets) {
-    for (const Index cell : cells_of(look, look.model.element_sets.sets[elements])) {
-      for (const Index id : look.model.mesh.vertices_of(cell)) {
-        if (const Index vertex = look.ids.vertices.find(id); vertex >= 0) vertices.push_back(vertex);
-      }
-    }
+    add_vertices_of_cells(look, look.model.element_sets.sets[elements], vertices);
   }
   return vertices;
 }
@@ -106,14 +110,25 @@ std::optional<fem::StVK> material_of(const Resolver& look, const InpSection& sec
   return fem::StVK{.young = *material.young, .poisson = *material.poisson, .density = *material.density};
 }
 
+void claim(const Resolver& look, const InpSection& section, Index cell) {
+  auto& mesh = look.model.mesh;
+  const auto region = static_cast<std::int32_t>(mesh.regions.size());
+  auto& claimed = mesh.cell_regions[static_cast<std::size_t>(cell)];
+  if (claimed >= 0 && claimed != region) {
+    fail(look.sources, section.place,
+         "the section of " + section.element_set + " overlaps that of " +
+             mesh.regions[static_cast<std::size_t>(claimed)].name + " in element " +
+             std::to_string(mesh.cell_ids[static_cast<std::size_t>(cell)]));
+  }
+  claimed = region;
+}
+
 void resolve_sections(Resolver& look) {
   auto& mesh = look.model.mesh;
   for (const auto& section : look.model.sections) {
     const auto* const set = look.model.element_sets.find(section.element_set);
     if (!set) fail(look.sources, section.place, "element set '" + section.element_set + "' is not defined in the file");
-    for (const Index cell : cells_of(look, *set)) {
-      mesh.cell_regions[static_cast<std::size_t>(cell)] = static_cast<std::int32_t>(mesh.regions.size());
-    }
+    for (const Index cell : cells_of(look, *set)) claim(look, section, cell);
     mesh.regions.push_back({.name = set->name, .material = material_of(look, section)});
   }
 }
@@ -138,6 +153,17 @@ void regions_from_sets(Resolver& look) {
   for (const auto& set : look.model.element_sets.sets) claim(set, set.positions);
 }
 
+void resolve_boundary(const Resolver& look, const InpBoundary& boundary) {
+  const InpSets &nodes = look.model.node_sets, &elements = look.model.element_sets;
+  std::vector<Index> vertices;
+  const auto* const cells = nodes.find(boundary.target) ? nullptr : elements.find(boundary.target);
+  if (cells) add_vertices_of_cells(look, *cells, vertices);
+  else vertices = target(look, boundary.target, boundary.place, nodes, look.ids.vertices, vertices_of);
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  look.model.mesh.supports.push_back({.vertices = std::move(vertices), .components = boundary.components});
+}
+
 }  // namespace
 
 FileMesh resolve_inp(const Sources& sources, InpModel model) {
@@ -148,12 +174,7 @@ FileMesh resolve_inp(const Sources& sources, InpModel model) {
   for (const auto& surface : model.surfaces) resolve_surface(look, surface);
   if (model.sections.empty()) regions_from_sets(look);
   else resolve_sections(look);
-  for (const auto& boundary : model.boundaries) {
-    auto vertices = target(look, boundary.target, boundary.place, model.node_sets, look.ids.vertices, vertices_of);
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    model.mesh.supports.push_back({.vertices = std::move(vertices), .components = boundary.components});
-  }
+  for (const auto& boundary : model.boundaries) resolve_boundary(look, boundary);
   return finish(sources, std::move(model.mesh));
 }
 

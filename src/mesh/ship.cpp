@@ -126,14 +126,15 @@ Part receive_part(MPI_Comm comm, int from) {
 }
 
 void broadcast_shared(MPI_Comm comm, Shared& shared) {
-  std::vector<std::int64_t> counts = {shared.vertices_total, shared.cells_total, shared.dropped_vertices, shared.pieces,
-                                      shared.components};
+  std::vector<std::int64_t> counts = {shared.vertices_total, shared.cells_total, shared.dropped_vertices,
+                                      shared.pieces,         shared.components,  shared.hanging_faces};
   parallel::broadcast(comm, counts);
   shared.vertices_total = counts[0];
   shared.cells_total = counts[1];
   shared.dropped_vertices = counts[2];
   shared.pieces = static_cast<int>(counts[3]);
   shared.components = static_cast<int>(counts[4]);
+  shared.hanging_faces = counts[5];
   parallel::broadcast(comm, shared.set_names);
 
   std::vector<std::string> names;

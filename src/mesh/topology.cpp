@@ -3,32 +3,12 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
-#include <unordered_map>
 
 #include "ritz/base/error.hpp"
-#include "ritz/base/random.hpp"
+#include "ritz/mesh/match_faces.hpp"
 
 namespace ritz::mesh {
 namespace {
-
-/// A face by its corners, ascending; a triangle has a -1 before them.
-using Key = std::array<Index, 4>;
-
-struct KeyHash {
-  std::size_t operator()(const Key& k) const {
-    std::uint64_t h = 0;
-    for (const Index v : k) h = split_mix(h ^ static_cast<std::uint64_t>(v));
-    return h;
-  }
-};
-
-template <class Vertices>
-Key key_of(const Vertices& corners) {
-  Key key = {-1, -1, -1, -1};
-  std::copy(corners.begin(), corners.end(), key.begin());
-  std::sort(key.begin(), key.end());
-  return key;
-}
 
 class Groups {
  public:
@@ -51,38 +31,12 @@ class Groups {
   std::vector<std::size_t> parent_;
 };
 
-Key face_key(const FileMesh& mesh, Index cell, int face) {
-  const auto type = mesh.cell_types[static_cast<std::size_t>(cell)];
-  const auto local = fem::face_vertices(type, face);
-  std::vector<Index> corners;
-  for (int v = 0; v < fem::shape(fem::shape(type).face).corners; ++v)
-    corners.push_back(mesh.cell_vertices[static_cast<std::size_t>(mesh.cell_offsets[static_cast<std::size_t>(cell)] +
-                                                                  local[static_cast<std::size_t>(v)])]);
-  return key_of(corners);
-}
-
-using OpenFaces = std::unordered_map<Key, CellFace, KeyHash>;
-
-/// Pairs up equal faces; what stays open is the boundary.
-OpenFaces match_faces(const FileMesh& mesh, std::vector<std::array<Index, 2>>& neighbours) {
-  OpenFaces open;
-  open.reserve(mesh.cell_types.size());
-  for (Index c = 0; c < static_cast<Index>(mesh.cell_types.size()); ++c)
-    for (int f = 0; f < fem::shape(mesh.cell_types[static_cast<std::size_t>(c)]).faces; ++f) {
-      const auto [place, fresh] = open.try_emplace(face_key(mesh, c, f), CellFace{static_cast<int>(c), f});
-      if (fresh) continue;
-      neighbours.push_back({place->second.cell, c});
-      open.erase(place);
-    }
-  return open;
-}
-
-std::vector<CellFace> faces_of_set(const NamedSet& set, const OpenFaces& boundary) {
+std::vector<CellFace> faces_of_set(const NamedSet& set, const MatchedFaces& matched) {
   std::vector<CellFace> faces;
   for (const auto& face : set.faces) {
     const auto corners = static_cast<std::size_t>(fem::shape(face.type).corners);
-    const auto found = boundary.find(key_of(std::span(face.vertices).first(corners)));
-    if (found != boundary.end()) faces.push_back(found->second);
+    const auto found = matched.boundary.find(face_key(std::span(face.vertices).first(corners)));
+    if (found != matched.boundary.end()) faces.push_back(found->second);
   }
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
@@ -124,10 +78,12 @@ void find_pieces(const FileMesh& mesh, Topology& topology) {
 
 Topology find_topology(const FileMesh& mesh) {
   Topology topology;
-  const OpenFaces open = match_faces(mesh, topology.neighbours);
-  for (const auto& [key, face] : open) topology.boundary.push_back(face);
+  MatchedFaces matched = match_faces(mesh);
+  topology.neighbours = std::move(matched.neighbours);
+  topology.hanging_faces = matched.hanging;
+  for (const auto& [key, face] : matched.boundary) topology.boundary.push_back(face);
   std::sort(topology.boundary.begin(), topology.boundary.end());
-  for (const auto& set : mesh.sets) topology.set_faces.push_back(faces_of_set(set, open));
+  for (const auto& set : mesh.sets) topology.set_faces.push_back(faces_of_set(set, matched));
   find_pieces(mesh, topology);
   topology.components = count_components(mesh);
   if (topology.pieces > max_pieces)

@@ -14,9 +14,11 @@ struct Topology {
   std::vector<Joint> joints;
   int pieces = 0;      ///< parts connected through faces
   int components = 0;  ///< parts connected through vertices
+  Index hanging_faces = 0;
 };
 
-/// Finds faces, pieces and joints. Throws InputError for a mesh of more than `max_pieces` pieces.
+/// Finds faces, pieces and joints. Throws InputError for a mesh of more than `max_pieces` pieces, for two cells of the
+/// same corners, and for a face of three cells.
 Topology find_topology(const FileMesh& mesh);
 
 inline constexpr int max_pieces = 200;

@@ -1,5 +1,6 @@
 // Newmark's method with β = 0, γ = ½ is the central difference with velocities at whole steps.
 #include <cmath>
+#include <cstdio>
 #include <string>
 
 #include "newmark_family.hpp"
@@ -9,11 +10,17 @@
 namespace ritz::runtime {
 namespace {
 
+std::string shown(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", x);
+  return text;
+}
+
 ModeStep rule(double stiffness, double damping, double dt) {
   const double omega = std::sqrt(stiffness);
   if (omega * dt > 2)
-    throw InputError("central-difference with a step of " + std::to_string(dt) + " s is unstable for the mode of " +
-                     std::to_string(omega / (2 * M_PI)) + " Hz: choose a step of at most " + std::to_string(2 / omega) +
+    throw InputError("central-difference with a step of " + shown(dt) + " s is unstable for the mode of " +
+                     shown(omega / (2 * M_PI)) + " Hz: choose a step of at most " + shown((1 - 1e-6) * 2 / omega) +
                      " s or another integrator");
   return family_step({.beta = 0, .gamma = 0.5}, stiffness, damping, dt);
 }

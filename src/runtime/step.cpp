@@ -3,7 +3,16 @@
 namespace ritz::runtime {
 namespace {
 
+/// A rule that bounds the step refuses it; the bound that holds for all modes is the stiffest one's.
+void refuse_unstable(const Oscillators& model, StepRule rule, double dt) {
+  if (model.size() == 0) return;
+  Eigen::Index stiffest = 0;
+  model.stiffness.maxCoeff(&stiffest);
+  rule(model.stiffness[stiffest], model.damping[stiffest], dt);
+}
+
 void tabulate(const Oscillators& model, StepRule rule, double dt, int width, Eigen::ArrayXXd& table) {
+  refuse_unstable(model, rule, dt);
   for (Eigen::Index mode = 0; mode < model.size(); ++mode) {
     const ModeStep coefficients = rule(model.stiffness[mode], model.damping[mode], dt);
     for (int i = 0; i < width; ++i) {

@@ -93,6 +93,12 @@ Probe probe(const Section& section, const std::vector<Probe>& earlier) {
   return probe;
 }
 
+Vector3 direction(const Entry& entry) {
+  const Vector3 d = vector3(entry);
+  if (d == Vector3{0, 0, 0}) fail(entry, entry.name + " has no length: give the axis along which the ground moves");
+  return d;
+}
+
 Scene scene(const Section& file) {
   Scene scene{.analysis = analysis(file), .damping = {}, .gravity = {}, .shake = {}, .loads = {}, .probes = {}};
   if (const auto entry = file.find("damping")) scene.damping = damping(*entry);
@@ -100,7 +106,7 @@ Scene scene(const Section& file) {
   if (const auto entry = file.find("shake")) {
     if (std::holds_alternative<Static>(scene.analysis)) fail(*entry, "[shake] needs [time]: nothing shakes in statics");
     const Section shake({entry->node, entry->file, "[shake]"}, {"direction", "table"});
-    scene.shake = {vector3(shake.get("direction")), table(shake.get("table"))};
+    scene.shake = {direction(shake.get("direction")), table(shake.get("table"))};
   }
   for (const auto& section :
        sections(file, "load", {"set", "vertex", "total", "each", "pressure", "traction", "table"}))

@@ -27,6 +27,16 @@ struct Frames {
   }
 };
 
+/// Calls visit(piece, point) for all vertices of all pieces, on one rank each: a vertex that pieces share once a piece.
+template <class Visit>
+void each_vertex(const mesh::Mesh& mesh, Visit visit) {
+  for (int v = 0; v < mesh.owned; ++v)
+    visit(mesh.vertex_pieces[static_cast<std::size_t>(v)], Eigen::Vector3d(mesh.points.col(v)));
+  if (parallel::rank(mesh.comm) != 0) return;
+  for (const auto& joint : mesh.joints)  // all ranks know them; their first piece is the one in vertex_pieces
+    for (std::size_t i = 1; i < joint.pieces.size(); ++i) visit(joint.pieces[i], Eigen::Vector3d(joint.point.data()));
+}
+
 Frames frames(const mesh::Mesh& mesh) {
   Frames f{Eigen::Matrix3Xd::Zero(3, mesh.pieces), Eigen::VectorXd::Zero(mesh.pieces)};
   // Sums are taken relative to one vertex that all ranks know, so that far coordinates lose nothing.
@@ -34,20 +44,16 @@ Frames frames(const mesh::Mesh& mesh) {
   const int first = parallel::min(mesh.comm, mesh.owned > 0 ? parallel::rank(mesh.comm) : parallel::size(mesh.comm));
   MPI_Bcast(origin.data(), 3, MPI_DOUBLE, first, mesh.comm);
   Eigen::MatrixXd counts = Eigen::MatrixXd::Zero(1, mesh.pieces), sums = Eigen::MatrixXd::Zero(3, mesh.pieces);
-  for (int v = 0; v < mesh.owned; ++v) {
-    const int p = mesh.vertex_pieces[static_cast<std::size_t>(v)];
-    sums.col(p) += mesh.points.col(v) - origin;
+  each_vertex(mesh, [&](int p, const Eigen::Vector3d& x) {
+    sums.col(p) += x - origin;
     counts(0, p) += 1;
-  }
+  });
   parallel::sum_in_place(mesh.comm, counts);
   parallel::sum_in_place(mesh.comm, sums);
-  for (int p = 0; p < mesh.pieces; ++p) f.centres.col(p) = origin + sums.col(p) / std::max(1.0, counts(0, p));
-  for (int v = 0; v < mesh.owned; ++v) {
-    const int p = mesh.vertex_pieces[static_cast<std::size_t>(v)];
-    f.sizes[p] = std::max(f.sizes[p], (mesh.points.col(v) - f.centres.col(p)).norm());
-  }
+  for (int p = 0; p < mesh.pieces; ++p) f.centres.col(p) = origin + sums.col(p) / counts(0, p);
+  each_vertex(
+      mesh, [&](int p, const Eigen::Vector3d& x) { f.sizes[p] = std::max(f.sizes[p], (x - f.centres.col(p)).norm()); });
   MPI_Allreduce(MPI_IN_PLACE, f.sizes.data(), mesh.pieces, MPI_DOUBLE, MPI_MAX, mesh.comm);
-  f.sizes = f.sizes.cwiseMax(1e-300);
   return f;
 }
 

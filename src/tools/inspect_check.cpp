@@ -19,6 +19,24 @@ void require(bool holds, const format::ModelReader& in, const std::string& what)
   if (!holds) throw InputError(in.name() + ": " + what + "; do not use this model, write it again with ritz-reduce");
 }
 
+/// Every model has these parts, a mode (or an entry of the reduction) for each column of U, and a load for each set of
+/// which it stores vertices.
+std::string check_parts(const format::ModelReader& in, const model::Body& body) {
+  require(!body.geometry.materials.empty(), in, "the materials are missing");
+  require(body.inertia.has_value(), in, "the inertia is missing");
+  require(body.modes.has_value(), in, "the modes are missing");
+  const auto columns = body.reduction ? body.reduction->stiffness.size() : body.modes->eigenvalues.size();
+  require(columns == body.basis.U.cols(), in,
+          text("there are %td modes for %td columns of U", columns, body.basis.U.cols()));
+  for (const auto& set : body.geometry.sets)
+    require(set.rows.empty() || std::ranges::find(body.loads, set.name, &model::SetLoad::set) != body.loads.end(), in,
+            "the load on the set '" + set.name + "' is missing");
+  for (const auto& load : body.loads)
+    require(std::ranges::find(body.geometry.sets, load.set, &model::VertexSet::name) != body.geometry.sets.end(), in,
+            "the set '" + load.set + "' is missing, on which there is a load");
+  return "no part is missing";
+}
+
 std::string check_numbers(const format::ModelReader& in, const model::Body& body) {
   require(body.geometry.points.allFinite(), in, "a coordinate is not a finite number");
   require(body.basis.U.allFinite(), in, "an entry of U is not a finite number");
@@ -73,7 +91,6 @@ std::string check_polynomial(const format::ModelReader& in, const model::Body& b
   const auto& p = *body.polynomial;
   require(p.quadratic.allFinite() && p.cubic.allFinite() && p.quartic.allFinite(), in,
           "a coefficient of the polynomial is not a finite number");
-  if (!body.reduction && !body.modes) return "the polynomial's coefficients are finite";
   const Eigen::VectorXd& stiffness = body.reduction ? body.reduction->stiffness : body.modes->eigenvalues;
   double error = 0;
   for (Eigen::Index i = 0, at = 0; i < p.r; ++i)
@@ -97,14 +114,13 @@ void check(const format::ModelReader& in, std::ostream& out) {
   ok(text("%zu datasets have the checksums they were written with", verified));
   const auto model = format::read(in);
   ok("the parts have shapes that fit together");
+  ok(check_parts(in, model.body));
   ok(check_numbers(in, model.body));
-  if (model.body.modes) {
-    ok(check_modes(in, *model.body.modes));
-    ok(check_certificate(in, model.body.modes->certificate));
-  }
+  ok(check_modes(in, *model.body.modes));
+  ok(check_certificate(in, model.body.modes->certificate));
   if (model.body.reduction) ok(check_reduction(in, *model.body.reduction));
   if (model.body.polynomial) ok(check_polynomial(in, model.body));
-  if (model.body.inertia) ok(check_inertia(in, *model.body.inertia));
+  ok(check_inertia(in, *model.body.inertia));
 }
 
 }  // namespace ritz::tools

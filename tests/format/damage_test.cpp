@@ -147,6 +147,55 @@ TEST(Damage, ByWrongTypesIsFoundAndNamed) {
   EXPECT_THROW(read_changed([](hid_t f) { replace(f, "/bodies/body/modes/kinds", {2}, H5T_IEEE_F64LE); }), InputError);
 }
 
+/// One value in place of a dataset, with its checksum and units as they were.
+void replace_by_one(hid_t file, const std::string& path, hid_t type) {
+  const std::string kept = path + "-kept";
+  H5Lmove(file, path.c_str(), file, kept.c_str(), H5P_DEFAULT, H5P_DEFAULT);
+  const Dataset old(H5Dopen2(file, kept.c_str(), H5P_DEFAULT));
+  const Space space(H5Screate(H5S_SCALAR));
+  const Dataset made(H5Dcreate2(file, path.c_str(), type, space.get(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+  H5Aiterate2(
+      old.get(), H5_INDEX_NAME, H5_ITER_INC, nullptr,
+      [](hid_t from, const char* name, const H5A_info_t*, void* to) -> herr_t {
+        const Attribute attribute(H5Aopen(from, name, H5P_DEFAULT));
+        const Type kind(H5Aget_type(attribute.get()));
+        const Space one(H5Aget_space(attribute.get()));
+        std::vector<std::byte> bytes(H5Tget_size(kind.get()));
+        H5Aread(attribute.get(), kind.get(), bytes.data());
+        const Attribute copy(
+            H5Acreate2(*static_cast<hid_t*>(to), name, kind.get(), one.get(), H5P_DEFAULT, H5P_DEFAULT));
+        return H5Awrite(copy.get(), kind.get(), bytes.data());
+      },
+      std::array<hid_t, 1>{made.get()}.data());
+  H5Ldelete(file, kept.c_str(), H5P_DEFAULT);
+}
+
+TEST(Damage, BySingleValuesIsFoundAndNamed) {
+  const Type fixed(H5Tcopy(H5T_C_S1)), variable(H5Tcopy(H5T_C_S1));
+  H5Tset_size(variable.get(), H5T_VARIABLE);
+  const test::Folder folder;
+  const auto path = folder / "model.h5";
+  for (const hid_t type : {H5T_IEEE_F64LE, fixed.get(), variable.get()})
+    for (const std::string name : {"eigenvalues", "kinds"}) {
+      write(path, test::sample_model());
+      const auto place = "/bodies/body/modes/" + name;
+      {
+        const File file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT));
+        replace_by_one(file.get(), place, type);
+      }
+      const auto complains = ThrowsMessage<InputError>(AllOf(HasSubstr(place), HasSubstr("single value")));
+      EXPECT_THAT([&] { read(path); }, complains);
+      EXPECT_THAT([&] { read_all(test::load(path)); }, complains);
+    }
+}
+
+TEST(Damage, ByTextsOfAnyLengthIsFoundAndNamed) {
+  const Type variable(H5Tcopy(H5T_C_S1));
+  H5Tset_size(variable.get(), H5T_VARIABLE);
+  EXPECT_THAT(([&] { read_changed([&](hid_t f) { replace(f, "/bodies/body/modes/kinds", {2}, variable.get()); }); }),
+              ThrowsMessage<InputError>(AllOf(HasSubstr("modes/kinds"), HasSubstr("fixed-length"))));
+}
+
 TEST(Damage, ByPartsThatDoNotFitTogetherIsFound) {
   const test::Folder folder;
   const auto refuses = [&](auto change) {

@@ -170,6 +170,7 @@ TEST(BadInp, Files) {
                  {"*MATERIAL, NAME=Steel\n", "", ":23", "before any *MATERIAL"},
                  {"*MATERIAL, NAME=rubber", "*MATERIAL, NAME=STEEL", ":28", "twice"},
                  {"MATERIAL=STEEL", "MATERIAL=wood", ":33", "WOOD"},
+                 {"ELSET=upper, MAT", "ELSET=both, MAT", ":35", "overlaps that of Lower in element 5"},
                  {"ELSET=LOWER, MAT", "ELSET=nowhere, MAT", ":33", "'nowhere'"},
                  {"Feet, 1, 2", "Feet, 1, 2, 0.1", ":38", "other than zero"},
                  {"Feet, 1, 2", "Feet, 2, 1", ":38", "before the first"},

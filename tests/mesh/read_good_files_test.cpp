@@ -224,6 +224,12 @@ TEST(ReadInp, ReadsNamedConditionsAndIgnoresRotations) {
   EXPECT_EQ(mesh.supports[4].components, (std::array{false, false, true}));
 }
 
+TEST(ReadInp, FixesTheNodesOfAnElementSet) {
+  const auto mesh = read_text("a.inp", inp_with("*BOUNDARY\nupper, 2\n"));
+  EXPECT_EQ(mesh.supports[0].vertices, (std::vector<Index>{1, 2, 3, 4}));
+  EXPECT_EQ(mesh.supports[0].components, (std::array{false, true, false}));
+}
+
 TEST(ReadInp, MakesRegionsOfElementSetsWithoutSections) {
   auto text = with(inp_text(), "*SOLID SECTION, ELSET=LOWER, MATERIAL=STEEL\n", "*NO SECTION\n");
   text = with(text, "*SOLID SECTION, ELSET=upper, MATERIAL=Rubber\n", "");

@@ -143,6 +143,21 @@ TEST(Integrators, GoOnFromAStoredStateAsIfNeverStopped) {
   }
 }
 
+TEST(Integrators, NameTheStepThatAllModesAdmit) {
+  Oscillators model{.stiffness = Eigen::ArrayXd(3), .damping = Eigen::ArrayXd::Zero(3)};
+  model.stiffness << 1e8, 4e12, 1e10;
+  double bound = 0;
+  try {
+    make_workspace(model, central_difference(), 1);
+    FAIL() << "an unstable step was taken";
+  } catch (const InputError& error) {
+    const std::string sentence = error.what(), before = "at most ";
+    bound = std::stod(sentence.substr(sentence.find(before) + before.size()));
+  }
+  EXPECT_NEAR(bound, 2 / std::sqrt(4e12), 1e-5 * bound);
+  EXPECT_NO_THROW(make_workspace(model, central_difference(), bound));
+}
+
 TEST(Integrators, ChangeTheirStep) {
   // Ten steps of 0.01, then ten of 0.02, stay close to the truth: a restart of BDF2 included.
   const Oscillators model = oscillator(30, .3);

@@ -47,6 +47,7 @@ const std::vector<Bad> bad_scenes = {
     {"gravity = 9.81\n" + time, ":1: 'gravity' of the scene must be an array of numbers"},
     {"gravity = [0, -9.81]\n" + time, ":1: 'gravity' of the scene must have three components"},
     {"gravity = [0, 0, nan]\n" + time, ":1: 'gravity' of the scene must be a finite number"},
+    {time + "[shake]\ndirection = [0, 0, 0]\ntable = [[0, 1]]", ":5: 'direction' of [shake] has no length"},
     {time + "[shake]\ntable = [[0, 1]]", ":4: [shake] needs the key 'direction'"},
     {time + "[shake]\ndirection = [1, 0, 0]\ntable = []", ":6: 'table' of [shake] must have at least one pair"},
     {time + "[shake]\ndirection = [1, 0, 0]\ntable = [[0, 1], [1]]",

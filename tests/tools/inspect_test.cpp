@@ -81,7 +81,7 @@ TEST_F(Inspect, LeavesAbsentPartsOut) {
 TEST_F(Inspect, ChecksASoundModel) {
   const auto lines = checked(test::sample_model());
   EXPECT_THAT(lines, AllOf(HasSubstr("ok  35 datasets"), HasSubstr("fit together"), HasSubstr("ok  UᵀMU = I")));
-  EXPECT_EQ(std::ranges::count(lines, '\n'), 6);
+  EXPECT_EQ(std::ranges::count(lines, '\n'), 7);
 }
 
 TEST_F(Inspect, TellsAndChecksAReductionAndItsPolynomial) {
@@ -118,6 +118,16 @@ TEST_F(Inspect, FindsWhatIsWrong) {
   wrong("UᵀMU differs from I by 2.0e-10", [](auto& b) { b.inertia->gram(8, 8) += 2e-10; });
   wrong("not symmetric", [](auto& b) { b.inertia->gram(0, 8) += 1; });
   wrong("mass is not", [](auto& b) { b.inertia->gram(0, 0) = -1; });
+  wrong("the materials are missing", [](auto& b) { b.geometry.materials.clear(); });
+  wrong("the inertia is missing", [](auto& b) { b.inertia.reset(); });
+  wrong("the modes are missing", [](auto& b) { b.modes.reset(); });
+  wrong("2 modes for 1 columns of U", [](auto& b) {
+    b.basis.U = model::RowMatrix(b.basis.U.leftCols(1));
+    b.inertia->gram = Eigen::MatrixXd(b.inertia->gram.topLeftCorner(7, 7));
+    b.loads.clear();
+  });
+  wrong("the load on the set 'tip' is missing", [](auto& b) { b.loads.erase(b.loads.begin()); });
+  wrong("the set 'tip' is missing", [](auto& b) { b.geometry.sets.erase(b.geometry.sets.begin()); });
   wrong("columns of the basis", [](auto& b) { b.basis.U = model::RowMatrix::Zero(12, 3); });
 }
 

@@ -83,6 +83,9 @@ DAMAGED = [
     ("a model without a basis", without(BODY + "basis"), "basis"),
     ("a model without points", without(BODY + "geometry/points"), "points"),
     ("a model of misshapen points", replace(BODY + "geometry/points", [[0.0, 1.0]]), "points"),
+    ("a model of one eigenvalue alone", replace(BODY + "modes/eigenvalues", b"x"), "eigenvalues", "single value"),
+    ("a model of a word for eigenvalues", replace(BODY + "modes/eigenvalues", "word"), "eigenvalues", "single value"),
+    ("a model of a word for regions", replace(BODY + "geometry/materials/regions", "word"), "regions", "single value"),
     ("a model of too few eigenvalues", replace(BODY + "modes/eigenvalues", [1.0]), "modes"),
     ("a model of damaged eigenvalues", flipped(BODY + "modes/eigenvalues"), "eigenvalues", "checksum"),
 ]
@@ -126,5 +129,7 @@ CASES += [
     Case("-reuse of half a model", REUSE, ["old.h5", "truncated"], {"old.h5": MODEL[:len(MODEL) // 2]}),
     Case("-reuse of a model whose second half was not written", REUSE, ["old.h5"], {"old.h5": half_written}),
     Case("-reuse of a later version", REUSE, ["old.h5", "9.0"], {"old.h5": set_attribute("version", [9, 0])}),
+    Case("-reuse of a model of one eigenvalue alone", REUSE, ["old.h5", "single value"],
+         {"old.h5": replace(BODY + "modes/eigenvalues", "word")}),
     Case("-reuse of a damaged basis", REUSE, ["old.h5", "checksum"], {"old.h5": flipped(BODY + "basis/columns/0001")}),
 ]
