@@ -142,8 +142,13 @@ Eigen::VectorXd sort_by_energy(const EigenProblem& problem, petsc::TallRef vecto
   return energies(order);
 }
 
+std::string remedy(const ModesOptions& options) {
+  if (options.strategy == Strategy::iterative) return "use -solver direct, or a mesh of better shape";
+  return options.tolerance > residual_gate ? "choose a smaller -modes_tolerance" : "use a mesh of better shape";
+}
+
 /// Rigid and flexible pairs side by side, with the figures that say how good they are.
-ModesResult summarise(const EigenProblem& problem, const Search& search) {
+ModesResult summarise(const EigenProblem& problem, const Search& search, const ModesOptions& options) {
   const Full& full = problem.full;
   const MPI_Comm comm = problem.mesh.comm;
   const Index rigid = problem.rigid.cols(), flexible = search.kept, all = rigid + flexible;
@@ -171,8 +176,7 @@ ModesResult summarise(const EigenProblem& problem, const Search& search) {
     modes.floor_applies[static_cast<std::size_t>(rigid + i)] = r.relative[i] > residual_gate;
     if (!(r.relative[i] <= r.gate[i]))
       throw NumericalError("mode " + std::to_string(rigid + i + 1) + " has a relative residual of " +
-                           shown(r.relative[i]) + ", above its gate " + shown(r.gate[i]) +
-                           "; use -solver direct, or a mesh of better shape");
+                           shown(r.relative[i]) + ", above its gate " + shown(r.gate[i]) + "; " + remedy(options));
   }
   modes.kinds.assign(static_cast<std::size_t>(rigid), model::ModeKind::rigid);
   modes.kinds.resize(static_cast<std::size_t>(all), model::ModeKind::flexible);
@@ -198,7 +202,8 @@ ModesResult linear_modes(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const F
   Search search(problem, options, progress);
   if (options.count > 0 && flexible_modes(dofs, rigid) > 0) search.run(earlier);
   else search.found.pairs.vectors.resize(rigid.rows(), 0);
-  ModesResult result = summarise(problem, search);
+  ModesResult result = summarise(problem, search, options);
+  result.strategy = options.strategy;
   check_rigid_energies(result.modes, rigid.cols());
   if (search.kept < options.count)
     result.notes.push_back(std::to_string(options.count) + " modes were asked for, but the body has only " +

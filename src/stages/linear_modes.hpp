@@ -27,6 +27,7 @@ struct ModesOptions {
 struct ModesResult {
   model::Modes modes;
   petsc::Tall vectors;  ///< rows of free degrees of freedom, a column each mode
+  Strategy strategy = Strategy::direct;
   int iterations = 0;
   std::vector<std::string> notes;  ///< what a careful user should know
 };
