@@ -1,5 +1,6 @@
 #include "ritz/app/frequencies.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdarg>
 #include <numbers>
@@ -71,7 +72,7 @@ std::string summary(const model::Modes& modes, const model::Inertia& inertia) {
     text +=
         formatted("certified: %lld eigenvalues lie below (%.6g Hz)^2 by the inertia of K - sigma M, %lld were found\n",
                   static_cast<long long>(c.counted), frequency(c.shift), static_cast<long long>(c.found));
-  else if (modes.eigenvalues.size() > 0)
+  else if (std::ranges::count(modes.kinds, model::ModeKind::flexible) > 0)
     text += "not certified: without a factorization nothing counts the modes; -solver direct does\n";
   return text;
 }

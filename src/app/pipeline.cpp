@@ -10,6 +10,7 @@
 #include "ritz/app/resources.hpp"
 #include "ritz/app/warnings.hpp"
 #include "ritz/app/write_model.hpp"
+#include "ritz/base/counted.hpp"
 #include "ritz/parallel/guard.hpp"
 #include "ritz/stages/inertia.hpp"
 #include "ritz/stages/set_loads.hpp"
@@ -18,8 +19,9 @@ namespace ritz::app {
 namespace {
 
 std::string size_line(const mesh::Mesh& mesh, const mesh::Dofs& dofs) {
-  return std::to_string(mesh.vertices_total) + " vertices, " + std::to_string(mesh.cells_total) + " cells, " +
-         std::to_string(dofs.total) + " degrees of freedom, " + std::to_string(mesh.sets.size()) + " named sets";
+  return counted(mesh.vertices_total, "vertex", "vertices") + ", " + counted(mesh.cells_total, "cell", "cells") + ", " +
+         counted(dofs.total, "degree of freedom", "degrees of freedom") + ", " +
+         counted(std::ssize(mesh.sets), "named set", "named sets");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "ritz/app/resources.hpp"
+#include "ritz/base/counted.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/petsc/panel.hpp"
 #include "ritz/petsc/speed.hpp"
@@ -33,7 +34,11 @@ struct Estimate {
   std::string how;
 };
 
-std::string whole(double seconds) { return std::to_string(static_cast<int>(std::ceil(seconds))) + " s"; }
+std::string shown(double seconds) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f s", seconds);
+  return text;
+}
 
 Estimate direct(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const stages::Full& full,
                 const stages::ModesOptions& options) {
@@ -45,7 +50,7 @@ Estimate direct(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const stages::Fu
   const double factor = 2 * f.flops / (factor_efficiency * petsc::dgemm_rate() * speed);
   const double solve = columns / options.block * solve_passes * 8 * f.entries / (petsc::memory_rate() * speed);
   return {base_memory + f.memory_rank + peak_memory() + basis, factor + solve,
-          "two factorizations " + whole(factor) + ", block Lanczos " + whole(solve)};
+          "two factorizations " + shown(factor) + ", block Lanczos " + shown(solve)};
 }
 
 Estimate iterative(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const stages::Full& full,
@@ -86,9 +91,9 @@ void print_plan(const config::Config& config, const mesh::Mesh& mesh, const mesh
   const double memory = parallel::max(mesh.comm, e.memory_rank);
   const double rest = 0.3 * done;
   char total[160];
-  std::snprintf(total, sizeof total, "  %-12s %8.1f s   %.2f GB a rank at most, %.2f GB over %d ranks", "in all",
+  std::snprintf(total, sizeof total, "  %-12s %8.1f s   %.2f GB a rank at most, %.2f GB over %s", "in all",
                 done + e.seconds + rest, memory / 1e9, parallel::sum(mesh.comm, e.memory_rank) / 1e9,
-                parallel::size(mesh.comm));
+                counted(parallel::size(mesh.comm), "rank", "ranks").c_str());
   progress.line("plan: what these options need (nothing has been solved)");
   for (const auto& stage : progress.seconds()) progress.line(row(stage.stage, stage.seconds, "done for this plan"));
   progress.line(row("modes", e.seconds, e.how));

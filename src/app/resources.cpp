@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <fstream>
 
+#include "ritz/base/counted.hpp"
 #include "ritz/parallel/comm.hpp"
 
 namespace ritz::app {
@@ -35,9 +36,9 @@ double free_memory_per_rank(MPI_Comm comm) {
 
 std::string peak_memory_line(MPI_Comm comm) {
   const double total = parallel::sum(comm, peak_memory());
-  const int ranks = parallel::size(comm);
   char text[96];
-  std::snprintf(text, sizeof text, "peak memory %.2f GB over %d rank%s", total / 1e9, ranks, ranks == 1 ? "" : "s");
+  std::snprintf(text, sizeof text, "peak memory %.2f GB over %s", total / 1e9,
+                counted(parallel::size(comm), "rank", "ranks").c_str());
   return text;
 }
 

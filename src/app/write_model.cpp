@@ -37,12 +37,25 @@ class ParallelAccess {
   hid_t file_, transfer_;
 };
 
+/// The options as they came out: the solver that was chosen, and what -fix stands for where it is left out.
+std::vector<std::pair<std::string, std::string>> resolved(const config::Config& config, const mesh::Mesh& mesh,
+                                                          stages::Strategy strategy) {
+  auto options = config.resolved;
+  for (auto& [name, value] : options)
+    if (name == "solver") value = strategy == stages::Strategy::direct ? "direct" : "iterative";
+  if (config.file_supports == mesh::FileSupports::used) {
+    const bool held = parallel::max(mesh.comm, static_cast<std::int32_t>(!mesh.supports.empty())) > 0;
+    options.emplace_back("fix", held ? "the mesh file's own" : "none");
+  }
+  return options;
+}
+
 model::Provenance provenance(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
-                             const std::vector<fem::StVK>& materials) {
+                             const std::vector<fem::StVK>& materials, stages::Strategy strategy) {
   const Checksums sums = checksums(mesh, dofs, materials);
   return {std::string("ritz-reduce ") + version,
           petsc::library_versions(),
-          config.resolved,
+          resolved(config, mesh, strategy),
           sums.mesh,
           sums.problem,
           parallel::size(mesh.comm)};
@@ -100,7 +113,7 @@ void write_model(const config::Config& config, const mesh::Mesh& mesh, const mes
                  const Progress& progress) {
   const ParallelAccess access(mesh.comm);
   format::ModelWriter out(config.output, access.access);
-  format::write_provenance(out, provenance(config, mesh, dofs, materials));
+  format::write_provenance(out, provenance(config, mesh, dofs, materials, modes.strategy));
   format::write_geometry(out, order.geometry, order.slices);
   write_columns(out, mesh.comm, order, results.u);
   format::write_modes(out, results.modes.modes);

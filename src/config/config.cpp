@@ -69,11 +69,15 @@ std::vector<std::pair<std::string, std::string>> solver_options_given() {
   return given;
 }
 
-/// PETSc reads options for the smoothers of its own cycle when it sets up the levels; the cycle here has its own.
-void refuse_smoother_options(const std::vector<std::pair<std::string, std::string>>& given) {
-  for (const auto& [name, value] : given)
+/// Options that PETSc and SLEPc would read, but that ask for what is not done here: PETSc's own cycle over the levels,
+/// a search by interval.
+void refuse_foreign_options(const std::vector<std::pair<std::string, std::string>>& given) {
+  for (const auto& [name, value] : given) {
     if (name.starts_with("multigrid_mg_"))
       throw InputError("option -" + name + " has no effect: the multigrid has its own smoothers; leave it out");
+    if (name == "modes_eps_interval")
+      throw InputError("option -" + name + ": modes are sought by number, from the lowest on; give -modes K instead");
+  }
 }
 
 /// The solvers meet their options here first: what they object to is input, whatever they call it.
@@ -163,7 +167,7 @@ Config read_config(MPI_Comm comm, Program program) {
   config.modes.tolerance = options.real("modes_tolerance", 1e-10, 1e-14, 1e-2);
   read_basis(options, config);
   const auto solvers = solver_options_given();
-  refuse_smoother_options(solvers);
+  refuse_foreign_options(solvers);
   config.modes.slepc = std::any_of(solvers.begin(), solvers.end(), [](const auto& o) { return is_slepc(o.first); });
   config.solver = static_cast<Solver>(options.choice("solver", {"auto", "direct", "iterative"}, 0));
   if (config.modes.slepc && config.solver == Solver::iterative)

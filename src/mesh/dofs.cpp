@@ -85,6 +85,14 @@ void number_ghosts(const Mesh& mesh, Dofs& dofs) {
       dofs.numbers[components * (static_cast<std::size_t>(mesh.owned) + g) + c] = answers[owner[g]][next[owner[g]]++];
 }
 
+[[noreturn]] void refuse_all_fixed(const std::vector<Fixed>& supports) {
+  if (supports.empty())
+    throw InputError(
+        "the mesh file's own supports (*BOUNDARY) fix every vertex of the mesh: nothing is left to move; -fix replaces "
+        "them");
+  throw InputError("the supports (-fix) fix every vertex of the mesh: nothing is left to move");
+}
+
 }  // namespace
 
 Dofs number(const Mesh& mesh, const std::vector<Fixed>& supports, FileSupports file_supports) {
@@ -96,7 +104,7 @@ Dofs number(const Mesh& mesh, const std::vector<Fixed>& supports, FileSupports f
   Dofs dofs;
   dofs.comm = mesh.comm;
   number_free(mesh, mask, dofs);
-  if (dofs.total == 0) throw InputError("the supports (-fix) fix every vertex of the mesh: nothing is left to move");
+  if (dofs.total == 0) refuse_all_fixed(supports);
   number_ghosts(mesh, dofs);
 
   std::int32_t partly = 0;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "ritz/base/counted.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/fem/dispatch.hpp"
 #include "ritz/fem/geometry.hpp"
@@ -66,12 +67,13 @@ std::vector<std::string> warnings(const Mesh& mesh) {
   slivers = parallel::sum(mesh.comm, slivers);
   smallest = parallel::min(mesh.comm, smallest);
   if (slivers > 0)
-    notes.push_back(std::to_string(slivers) + " cells have a dihedral angle under 1 degree (the smallest " +
+    notes.push_back(counted(slivers, "cell has", "cells have") + " a dihedral angle under 1 degree (the smallest " +
                     text_of(smallest) + "); the conditioning suffers");
   if (mesh.dropped_vertices > 0)
-    notes.push_back(std::to_string(mesh.dropped_vertices) + " vertices that no cell uses were dropped");
+    notes.push_back(counted(mesh.dropped_vertices, "vertex that no cell uses was", "vertices that no cell uses were") +
+                    " dropped");
   if (mesh.hanging_faces > 0)
-    notes.push_back(std::to_string(mesh.hanging_faces) + (mesh.hanging_faces == 1 ? " face joins" : " faces join") +
+    notes.push_back(counted(mesh.hanging_faces, "face joins", "faces join") +
                     " a tet10 to a tet4 or hex8: the mesh is not conforming there (mid-edge vertices hang), and cells "
                     "come apart or overlap; use cells of one order");
   if (mesh.components > 1)

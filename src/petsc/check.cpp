@@ -29,12 +29,12 @@ bool succeeds(PetscErrorCode code) {
   return false;
 }
 
-void check(PetscErrorCode code, std::source_location where) {
+void check(PetscErrorCode code) {
   if (code == 0) return;
   std::string message = last_message().empty() ? "error " + std::to_string(code) : last_message();
   last_message().clear();
   if (code == PETSC_ERR_MEM) message = "memory ran out: " + message;
-  throw NumericalError("PETSc: " + message + ", called from " + where.function_name());
+  throw NumericalError("PETSc: " + message);
 }
 
 }  // namespace ritz::petsc

@@ -2,12 +2,10 @@
 #pragma once
 #include <petscsys.h>
 
-#include <source_location>
-
 namespace ritz::petsc {
 
 /// Throws NumericalError with PETSc's own message when `code` is an error.
-void check(PetscErrorCode code, std::source_location where = std::source_location::current());
+void check(PetscErrorCode code);
 
 /// Installs the handler that keeps PETSc's message for `check` in place of printing a stack trace.
 void keep_messages();

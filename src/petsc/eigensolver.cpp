@@ -102,15 +102,12 @@ EigenPairs krylov_schur(Mat K, Mat M, double shift, const ConstTallRef& deflated
 }
 
 void read_eigensolver_options(MPI_Comm comm) {
-  const Matrix tiny = tiny_identity(comm);
+  const Matrix K = tiny_identity(comm), M = tiny_identity(comm);
+  check(MatScale(K, 1.2345678901));  // no shift that a user gives makes K - shift M singular
   const EigenSolver eps = create(comm);
   use_shift_invert(eps, 0);
-  check(EPSSetFromOptions(eps));
-  KSP ksp = nullptr;
-  check(STGetKSP(spectral_transformation(eps), &ksp));
-  check(KSPSetOperators(ksp, tiny, tiny));
-  check(KSPSetFromOptions(ksp));
-  check(KSPSetUp(ksp));
+  prepare(eps, K, M, {}, 1, 1e-8);
+  check(EPSSetUp(eps));
 }
 
 }  // namespace ritz::petsc

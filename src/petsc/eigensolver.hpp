@@ -14,7 +14,8 @@ struct EigenPairs {
 /// out. Options under modes_ reach EPS, ST, KSP and PC. Returns what converged, at most `wanted`. *Collective*.
 EigenPairs krylov_schur(Mat K, Mat M, double shift, const ConstTallRef& deflated, int wanted, double tolerance);
 
-/// Makes the solver above once on nothing, so that every option that it would read counts as read. *Collective*.
+/// Sets the solver above up once on a tiny problem, so that every option that it would read counts as read, and those
+/// that do not go together are found. *Collective*.
 void read_eigensolver_options(MPI_Comm comm);
 
 }  // namespace ritz::petsc

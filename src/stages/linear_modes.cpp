@@ -148,6 +148,11 @@ Eigen::VectorXd sort_by_energy(const EigenProblem& problem, petsc::TallRef vecto
   return energies(order);
 }
 
+std::string remedy(const ModesOptions& options) {
+  if (options.strategy == Strategy::iterative) return "use -solver direct, or a mesh of better shape";
+  return options.tolerance > residual_gate ? "choose a smaller -modes_tolerance" : "use a mesh of better shape";
+}
+
 /// Rigid and flexible pairs side by side, with the figures that say how good they are.
 ModesResult summarise(const EigenProblem& problem, const ModesOptions& options, const Search& search) {
   const Full& full = problem.full;
@@ -177,8 +182,7 @@ ModesResult summarise(const EigenProblem& problem, const ModesOptions& options, 
     modes.floor_applies[static_cast<std::size_t>(rigid + i)] = r.relative[i] > residual_gate;
     if (!(r.relative[i] <= r.gate[i]))
       throw NumericalError("mode " + std::to_string(rigid + i + 1) + " has a relative residual of " +
-                           shown(r.relative[i]) + ", above its gate " + shown(r.gate[i]) +
-                           "; use -solver direct, or a mesh of better shape");
+                           shown(r.relative[i]) + ", above its gate " + shown(r.gate[i]) + "; " + remedy(options));
   }
   modes.kinds.assign(static_cast<std::size_t>(rigid), model::ModeKind::rigid);
   modes.kinds.resize(static_cast<std::size_t>(all), model::ModeKind::flexible);
@@ -206,6 +210,7 @@ ModesResult linear_modes(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const F
   if (options.count > 0 && flexible_modes(dofs, rigid) > 0) search.run(earlier);
   else search.found.pairs.vectors.resize(rigid.rows(), 0);
   ModesResult result = summarise(problem, options, search);
+  result.strategy = options.strategy;
   check_rigid_energies(result.modes, rigid.cols());
   if (search.kept < options.count)
     result.notes.push_back(std::to_string(options.count) + " modes were asked for, but the body has only " +

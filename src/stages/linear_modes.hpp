@@ -32,6 +32,7 @@ struct ModesOptions {
 struct ModesResult {
   model::Modes modes;
   petsc::Tall vectors;  ///< rows of free degrees of freedom, a column each mode
+  Strategy strategy = Strategy::direct;
   int iterations = 0;
   Inverse inverse;                 ///< empty where it is spent
   std::vector<std::string> notes;  ///< what a careful user should know

@@ -9,6 +9,17 @@ from program import BOX, InAFolder
 
 CLAMPED = [*BOX, "-fix", "xmin"]
 
+HELD = """*NODE
+1, 0, 0, 0
+2, 1, 0, 0
+3, 0, 1, 0
+4, 0, 0, 1
+*ELEMENT, TYPE=C3D4, ELSET=BODY
+1, 1, 2, 3, 4
+*BOUNDARY
+1, 1, 3
+"""
+
 
 def columns(body):
     return np.stack([body["basis/columns"][name][:] for name in sorted(body["basis/columns"])], axis=-1)
@@ -34,7 +45,7 @@ class Files(InAFolder):
     def test_no_modes_are_modes_too(self):
         self.reduce(*CLAMPED, "-modes", "0")
         self.assertEqual(self.frequencies(), [])
-        self.reduce(*BOX, "-modes", "0")
+        self.assertNotIn("certified", self.reduce(*BOX, "-modes", "0").stdout)
         self.assertEqual([row["kind"] for row in self.frequencies()], ["rigid"] * 6)
 
     def test_all_modes_when_more_are_asked_for_than_there_are(self):
@@ -55,6 +66,18 @@ class Files(InAFolder):
         np.testing.assert_allclose(columns(surface), columns(whole)[outside], rtol=0, atol=1e-10)
         np.testing.assert_allclose(surface["inertia/gram"][:], whole["inertia/gram"][:], rtol=0, atol=1e-9)
         np.testing.assert_allclose(self.eigenvalues(), whole_values, rtol=1e-12)
+
+    def options(self):
+        return {name.decode(): value.decode() for name, value in self.body().file["provenance/options"][:]}
+
+    def test_options_are_kept_as_they_came_out(self):
+        self.reduce(*BOX)
+        self.assertEqual((self.options()["solver"], self.options()["fix"]), ("direct", "none"))
+        self.reduce(*CLAMPED, "-solver", "iterative")
+        self.assertEqual((self.options()["solver"], self.options()["fix"]), ("iterative", "xmin"))
+        (self.folder / "m.inp").write_text(HELD)
+        self.reduce("-mesh", "m.inp", *BOX[2:-1], "2")
+        self.assertEqual(self.options()["fix"], "the mesh file's own")
 
     def test_an_earlier_output_is_replaced(self):
         self.reduce(*CLAMPED)
@@ -85,7 +108,10 @@ class Voice(InAFolder):
         self.assertEqual(self.files(), set())
 
     def test_plan_writes_nothing(self):
-        self.assertIn("modes", self.reduce(*CLAMPED, "-plan").stdout)
+        plan = self.reduce(*CLAMPED, "-plan", "-solver", "direct", ranks=1).stdout
+        self.assertIn("modes", plan)
+        self.assertRegex(plan, r"two factorizations \d+\.\d s, block Lanczos \d+\.\d s")
+        self.assertRegex(plan, r"over 1 rank\n")
         self.assertEqual(self.files(), set())
 
     def test_log_view_shows_the_stages(self):

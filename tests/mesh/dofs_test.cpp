@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <numeric>
 
 #include "mesh/mesh_fixture.hpp"
 #include "ritz/base/error.hpp"
@@ -120,6 +121,12 @@ TEST_F(DofsOfABox, ErrorsSayWhichSupport) {
   const Fixed away{Region3{{7, 7, 7}, {8, 8, 8}}, {true, true, true}, "box:7,8,7,8,7,8"};
   EXPECT_THAT([&] { number(mesh, {away}); }, ThrowsMessage<InputError>(HasSubstr("box:7,8,7,8,7,8")));
   EXPECT_THAT([&] { number(mesh, {set("body")}); }, ThrowsMessage<InputError>(HasSubstr("nothing is left")));
+  FileMesh held = file_of_box(text);
+  held.supports = {{std::vector<Index>(held.points.size()), {true, true, true}}};
+  std::iota(held.supports[0].vertices.begin(), held.supports[0].vertices.end(), Index{0});
+  const Mesh fixed = distributed(held);
+  EXPECT_THAT([&] { number(fixed, {}, FileSupports::used); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("*BOUNDARY"), HasSubstr("-fix replaces"))));
   Mesh empty = distributed(tetrahedra({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}}));
   EXPECT_THAT([&] { number(empty, {set("foot")}); }, ThrowsMessage<InputError>(HasSubstr("no named sets")));
 }

@@ -1,8 +1,9 @@
 // Different ways to the same modes: block Lanczos, SLEPc's Krylov-Schur, multigrid, and Eigen's dense solver.
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <Eigen/Eigenvalues>
 
+#include "ritz/base/error.hpp"
 #include "support/principal_angles.hpp"
 #include "support/problem.hpp"
 
@@ -70,6 +71,18 @@ TEST_P(Strategies, EarlierModesSpareWorkAndChangeNothing) {
   expect_sound(p, options, again);
   expect_same(p, first, again, 1e-10);
   EXPECT_LT(again.iterations, first.iterations);
+}
+
+TEST(Residuals, AboveTheirGateAreAnsweredByWhatHelps) {
+  const Problem p = problem(box("box:1,.1,.06/8,2,1/tet4"), {fixed("xmin")});
+  const petsc::Tall none(p.dofs.owned, 0);
+  ModesOptions loose;
+  loose.count = 12;
+  loose.tolerance = 1e-2;
+  EXPECT_THAT([&] { stages::linear_modes(p.mesh, p.dofs, p.full, loose, none, [](const std::string&, double) {}); },
+              testing::ThrowsMessage<NumericalError>(
+                  testing::AllOf(testing::HasSubstr("above its gate"), testing::HasSubstr("smaller -modes_tolerance"),
+                                 testing::Not(testing::HasSubstr("-solver direct")))));
 }
 
 INSTANTIATE_TEST_SUITE_P(, Strategies,

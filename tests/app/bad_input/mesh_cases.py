@@ -106,6 +106,9 @@ CELLS = [
     bad("an unknown cell in veg", "m.veg", replaced(VEG, "TET", "PRISM"), "PRISM"),
     bad("surfaces alone", "m.msh", replaced(MSH2, "2 4 2 1 1 1 2 3 4\n3 4 2 1 1 2 3 4 5", "2 2 2 7 1 1 2 4\n3 2 2 7 1 1 3 4")),
     Case("an inverted cell", words_for("m.msh"), ["cell 3", "inverted"], {"m.msh": replaced(MSH2, "2 3 4 5\n", "3 2 4 5\n")}),
+    Case("a cell twice", words_for("m.msh"), ["cells 2 and 3", "same corners"], {"m.msh": replaced(MSH2, "2 3 4 5\n", "1 2 3 4\n")}),
+    Case("an inp that fixes everything", words_for("m.inp"), ["*BOUNDARY", "nothing is left"],
+         {"m.inp": replaced(INP, "FOOT, 1, 3", "BLOCK, 1, 3")}),
     Case("a flat cell", words_for("m.msh"), ["cell 2", "flat"], {"m.msh": replaced(MSH2, "4 0 0 1", "4 .5 .5 0")}),
 ]
 
