@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# From a bare Debian 12 to pictures of a ringing tuning fork: installs what is missing, builds the three programs that
-# it needs, computes the fork's modes on two ranks, strikes it, and draws what came out. Everything lands in out/fork.
+# From a bare Debian 12 to pictures: installs what is missing and builds the programs. Computes a tuning fork's modes on
+# two ranks, strikes it, and draws what came out (out/fork). Then bends (out/rubber) and twists (out/twist) a rubber
+# cantilever far beyond what modes alone can follow, reduced beside full.
 set -euo pipefail
 # shellcheck source=scripts/common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -9,9 +10,9 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 cd "$root"
 install_packages
 prepare_environment
-say "Building ritz-reduce, ritz-run and ritz-inspect."
+say "Building ritz-reduce, ritz-run, ritz-full and ritz-inspect."
 quietly cmake --preset default
-build build/default --target ritz-reduce ritz-run ritz-inspect
+build build/default --target ritz-reduce ritz-run ritz-full ritz-inspect
 PATH=$root/build/default/bin:$PATH
 
 out=out/fork
@@ -22,9 +23,27 @@ ritz-run "$out/model.h5" --scene config/fork.toml --output "$out/motion.h5" --ev
 /usr/bin/python3 scripts/plot_modes.py "$out/model.h5" "$out/frequencies.csv" "$out/modes.png"
 /usr/bin/python3 scripts/plot_probes.py "$out/probes.csv" "$out/probes.png"
 
+# reduced_beside_full NAME OPTIONS SCENE TITLE [--twist]
+reduced_beside_full() {
+  local to=out/$1 options=$2 scene=$3 title=$4
+  shift 4
+  mkdir -p "$to/full"
+  mpirun -n 2 ritz-reduce -options_file "$options"
+  ritz-run "$to/model.h5" --scene "$scene" --output "$to/motion.h5" --every 1
+  mpirun -n 2 ritz-full -options_file "$options" -scene "$scene" -output "$to/full/full.h5" -every 1
+  /usr/bin/python3 scripts/plot_rubber.py "$to/model.h5" "$to/motion.h5" "$to/full/full.h5" "$to/motion.png" \
+    --title "$title" "$@"
+}
+reduced_beside_full rubber config/rubber.opts config/rubber_pull.toml \
+  "A rubber cantilever, 300 x 40 x 30 mm, pulled and let go: 2400 degrees of freedom beside 20"
+reduced_beside_full twist config/rubber_twist.opts config/rubber_twist.toml \
+  "A rubber cantilever, 300 x 45 x 30 mm, twisted and let go: 2400 degrees of freedom beside 5" --twist
+
 say
 say "The model:            $out/model.h5 (for ParaView: $out/model.vtkhdf)"
 say "Its frequencies:      $out/frequencies.csv"
 say "The motion:           $out/motion.xdmf (for ParaView), $out/motion.h5"
 say "The probes:           $out/probes.csv"
-say "Pictures:             $out/modes.png, $out/probes.png"
+say "Rubber, bent:         out/rubber/model.h5, out/rubber/motion.xdmf, out/rubber/full/full.xdmf"
+say "Rubber, twisted:      out/twist/model.h5, out/twist/motion.xdmf, out/twist/full/full.xdmf"
+say "Pictures:             $out/modes.png, $out/probes.png, out/rubber/motion.png, out/twist/motion.png"
