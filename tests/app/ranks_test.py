@@ -1,5 +1,7 @@
 """The same model on any number of ranks: eigenvalues to 1e-10, vectors to 1e-9 + 1e-11 / relative gap, clusters as
 subspaces; bitwise on one rank."""
+import itertools
+import math
 import unittest
 
 import h5py
@@ -86,6 +88,35 @@ class Ranks(InAFolder):
 
     def test_partly_supported(self):
         self.compare(6, "-mesh", "box:1,.1,.06/8,2,1/tet10", "-fix", "xmin:yz,xmax:z")
+
+
+class Nonlinear(InAFolder):
+    """The basis as a subspace, and the energy of one displacement through each rank count's own U."""
+
+    def energy(self, body, u, full):
+        """Ẽ(z) at the z nearest to u, by the stored coefficients: ½ A zz + ⅙ B zzz + 1/24 C zzzz."""
+        z = np.linalg.lstsq(full, u, rcond=None)[0]
+        total = 0.0
+        for name, order, factorial in (("quadratic", 2, 2), ("cubic", 3, 6), ("quartic", 4, 24)):
+            indices = np.array(list(itertools.combinations_with_replacement(range(len(z)), order)))
+            times = [factorial / math.prod(map(math.factorial, np.unique(i, return_counts=True)[1])) for i in indices]
+            total += np.dot(body[f"polynomial/{name}"][:] * times, z[indices].prod(axis=1)) / factorial
+        return total
+
+    def test_basis_and_polynomial(self):
+        one = None
+        for ranks in (1, *RANKS[:3]):
+            with self.subTest(ranks=ranks):
+                name = f"on_{ranks}.h5"
+                self.reduce(*MATERIAL, "-mesh", "box:1,.1,.06/8,2,1/tet10", "-fix", "xmin", "-modes", "5",
+                            "-derivatives", "5", "-basis", "9", "-polynomial", "-output", name, ranks=ranks)
+                body = self.body(name)
+                U = flat_columns(body)
+                if one is None:
+                    one, u = U, U @ (.1 / np.abs(U).max() * np.arange(1, 10))
+                    energy = self.energy(body, u, U)
+                self.assertLessEqual(largest_sine(one, U), 1e-8)
+                self.assertAlmostEqual(self.energy(body, u, U) / energy, 1, delta=1e-8)
 
 
 class OneRank(InAFolder):

@@ -3,6 +3,7 @@ and nothing left behind."""
 import sys
 from concurrent.futures import ThreadPoolExecutor
 
+import basis_cases
 import full_cases
 import mesh_cases
 import model_cases
@@ -11,7 +12,7 @@ import runner
 
 AT_ONCE = 2
 
-cases = [*mesh_cases.CASES, *option_cases.CASES, *model_cases.CASES, *full_cases.CASES]
+cases = [*mesh_cases.CASES, *option_cases.CASES, *basis_cases.CASES, *model_cases.CASES, *full_cases.CASES]
 if len(sys.argv) > 1:
     cases = [case for case in cases if sys.argv[1] in case.name]
 

@@ -1,0 +1,65 @@
+"""From a mesh to a nonlinear model, from that to a motion, and beside it the full model under the same scene."""
+import csv
+import subprocess
+import unittest
+
+import h5py
+import numpy as np
+
+from program import BIN, InAFolder
+
+BEAM = ["-mesh", "box:1,.1,.06/8,2,1/tet10", "-fix", "xmin", "-material_young", "1e6", "-material_poisson", ".3",
+        "-material_density", "1000"]
+STATIC = '[static]\nsteps = 2\n[[load]]\nset = "xmax"\ntotal = [0, 0, -3]\n[[probe]]\nname = "tip"\nset = "xmax"\n'
+MOVING = '[time]\nstep = .02\nend = .1\nintegrator = "{}"\n'
+
+
+class Nonlinear(InAFolder):
+    def setUp(self):
+        super().setUp()
+        (self.folder / "scene.toml").write_text(STATIC)
+
+    def tool(self, name, *words, code=0):
+        result = subprocess.run([BIN / name, *words], cwd=self.folder, capture_output=True, text=True, timeout=60)
+        self.assertEqual(result.returncode, code, result.stdout + result.stderr)
+        return result.stdout + result.stderr
+
+    def full(self):
+        subprocess.run(["mpirun", "-n", "2", BIN / "ritz-full", *BEAM, "-scene", "scene.toml", "-quiet"],
+                       cwd=self.folder, check=True, timeout=120)
+        return self.tip()
+
+    def tip(self):
+        """The probe's last displacement."""
+        with open(self.folder / "probes.csv", newline="") as file:
+            return np.array(list(csv.reader(file))[-1][1:], float)
+
+    def reduced_tip(self, *words):
+        self.reduce(*BEAM, *words, "-polynomial")
+        self.tool("ritz-inspect", "model.h5", "--check")
+        self.tool("ritz-run", "model.h5", "--scene", "scene.toml")
+        return self.tip()
+
+    def test_derivatives_bend_as_the_full_model_does(self):
+        full = self.full()
+        self.assertGreater(abs(full[2]), .2)
+        error = lambda tip: np.linalg.norm(tip - full) / np.linalg.norm(full)
+        self.assertLess(error(self.reduced_tip("-modes", "6", "-derivatives", "6", "-basis", "12")), 2e-2)
+        self.assertGreater(error(self.reduced_tip("-modes", "6")), .3)
+
+    def test_snapshots_of_the_full_model_give_its_states_back(self):
+        full = self.full()
+        with h5py.File(self.folder / "full.h5") as file:
+            np.save(self.folder / "states.npy", file["snapshots"][:])
+        tips = [self.reduced_tip("-modes", "0", "-snapshots", name) for name in ("full.h5", "states.npy")]
+        np.testing.assert_allclose(tips[0], full, rtol=0, atol=1e-6 * np.abs(full).max())
+        np.testing.assert_allclose(tips[1], tips[0], rtol=0, atol=1e-12)
+
+    def test_what_a_nonlinear_model_cannot_do(self):
+        self.reduce(*BEAM, "-modes", "3", "-derivatives", "2", "-polynomial")
+        (self.folder / "exact.toml").write_text(MOVING.format("exact"))
+        self.assertIn("exact", self.tool("ritz-run", "model.h5", "--scene", "exact.toml", code=2))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,110 @@
+// The reduced polynomial against the full model, and witnesses that notice when something is wrong.
+#include <gtest/gtest.h>
+
+#include "ritz/base/error.hpp"
+#include "ritz/base/random.hpp"
+#include "ritz/runtime/forces.hpp"
+#include "ritz/stages/internal_force.hpp"
+#include "ritz/stages/reduce_polynomial.hpp"
+#include "ritz/stages/tangent.hpp"
+#include "ritz/stages/witness.hpp"
+#include "support/reduction.hpp"
+
+namespace ritz::test {
+namespace {
+
+using Eigen::Index;
+using petsc::Tall;
+
+struct Case {
+  const char* mesh;
+  bool free, two;
+};
+
+class Polynomial : public testing::TestWithParam<Case> {
+ protected:
+  const Reduced r = reduced(box_of(std::string("box:1,.4,.3/") + GetParam().mesh, GetParam().free, GetParam().two), 4);
+  const Tall U = basis_of(r, {.derivatives = 4, .cut = {.size = 7}}).U;
+  const Tall u = mesh::to_vertices(r.p.mesh, r.p.dofs, U);
+  const MPI_Comm comm = r.p.mesh.comm;
+  const model::Polynomial polynomial = stages::reduce_polynomial(r.p.mesh, r.p.full.materials, u);
+
+  Eigen::VectorXd sample(int decade) const {
+    Eigen::VectorXd z(U.cols());
+    for (Index i = 0; i < z.size(); ++i) z[i] = uniform(5, static_cast<std::uint64_t>(i));
+    return std::pow(10.0, decade) * z;
+  }
+  stages::Figures witness(const model::Polynomial& q) const {
+    return stages::polynomial_witness(r.p.mesh, r.p.dofs, r.p.full, u, q);
+  }
+};
+
+TEST_P(Polynomial, IsTheFullModelOverNineDecades) {
+  const auto forces = runtime::make_forces<double>(polynomial);
+  auto at = runtime::make_evaluation(forces);
+  stages::Tangent tangent = stages::empty_tangent(r.p.mesh, r.p.dofs);
+  for (int decade = -6; decade < 3; ++decade) {
+    const Eigen::VectorXd z = sample(decade);
+    const Tall displaced = u * z;
+    const auto full = stages::internal_forces(r.p.mesh, r.p.full.materials, displaced);
+    const Eigen::VectorXd force = petsc::inner(comm, u, full.forces);
+    stages::fill_tangent(tangent, r.p.mesh, r.p.dofs, r.p.full.materials, Eigen::VectorXd::Ones(1), displaced);
+    const Eigen::MatrixXd K = petsc::inner(comm, U, petsc::multiply(tangent.matrix, U));
+    runtime::evaluate<double>(forces, z, at);
+    EXPECT_NEAR(at.energy / full.energies[0], 1, 1e-11) << decade;
+    EXPECT_LE((at.force - force).norm(), 1e-11 * force.norm()) << decade;
+    EXPECT_LE((at.tangent - K).norm(), 1e-11 * K.norm()) << decade;
+  }
+}
+
+TEST_P(Polynomial, PassesItsWitness) {
+  const auto figures = witness(polynomial);
+  EXPECT_EQ(figures.size(), 3U);
+  for (const auto& [name, value] : figures) EXPECT_LE(value, 1e-11) << name;
+}
+
+TEST_P(Polynomial, IsCaughtWhenItIsSpoiled) {
+  for (const auto part : {&model::Polynomial::quadratic, &model::Polynomial::cubic, &model::Polynomial::quartic}) {
+    model::Polynomial spoiled = polynomial;
+    Index largest = 0;
+    (spoiled.*part).cwiseAbs().maxCoeff(&largest);
+    (spoiled.*part)[largest] *= 1 + 1e-6;
+    EXPECT_THROW(witness(spoiled), NumericalError);
+  }
+}
+
+TEST_P(Polynomial, TaylorSlopeIsThree) {
+  const auto figures = stages::taylor_witness(r.source(), r.p.full.materials);
+  ASSERT_EQ(figures.size(), 1U);
+  EXPECT_GE(figures[0].second, 2.9);
+  EXPECT_LE(figures[0].second, 3.1);
+}
+
+// Derivatives of another material are derivatives that are wrong; an inverse that is none does not converge.
+TEST_P(Polynomial, TaylorNoticesWrongDerivatives) {
+  auto other = r.p.full.materials;
+  for (auto& material : other) material.poisson *= .9;
+  EXPECT_THROW(stages::taylor_witness(r.source(), other), NumericalError);
+  const stages::Inverse wrong = [](const petsc::ConstTallRef& b, petsc::TallRef x) { x = -b; };
+  auto source = r.source();
+  const stages::DerivativesSource broken{source.mesh, source.dofs, source.full, source.rigid, source.flexible, wrong};
+  EXPECT_NO_FATAL_FAILURE({
+    try {
+      const auto figures = stages::taylor_witness(broken, r.p.full.materials);
+      EXPECT_NEAR(figures[0].second, 3, .1) << "whoever answers answers rightly";
+    } catch (const NumericalError&) {
+    }
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(, Polynomial,
+                         testing::Values(Case{"4,2,2/tet4", false, true}, Case{"4,2,2/tet4", true, false},
+                                         Case{"3,1,1/tet10", false, true}, Case{"3,1,1/tet10", true, false},
+                                         Case{"4,2,2/hex8", false, false}, Case{"4,2,2/hex8", true, true}),
+                         [](const auto& info) {
+                           const std::string text = info.param.mesh;
+                           return text.substr(text.rfind('/') + 1) + (info.param.free ? "_free" : "_clamped");
+                         });
+
+}  // namespace
+}  // namespace ritz::test
