@@ -113,7 +113,7 @@ void write_model(const config::Config& config, const mesh::Mesh& mesh, const mes
                  const Progress& progress) {
   const ParallelAccess access(mesh.comm);
   format::ModelWriter out(config.output, access.access);
-  format::write_provenance(out, provenance(config, mesh, dofs, materials, modes.strategy));
+  format::write_provenance(out, provenance(config, mesh, dofs, materials, results.modes.strategy));
   format::write_geometry(out, order.geometry, order.slices);
   write_columns(out, mesh.comm, order, results.u);
   format::write_modes(out, results.modes.modes);

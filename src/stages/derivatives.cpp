@@ -91,12 +91,15 @@ DerivativeCounts derivatives(const DerivativesSource& source, double first_eigen
   const petsc::Tall local = mesh::with_ghosts(mesh, mesh::to_vertices(mesh, dofs, flexible));
   const InverseMassNorm norm(mesh, full.mass);
   const double norm_K = one_norm(full.stiffness);
+  const petsc::Tall massive = petsc::multiply(full.mass, rigid);
   const int modes = static_cast<int>(flexible.cols());
   DerivativeCounts counts;
   for (int first = 0, last = 0; first < modes; first = last) {
     last = last_row(first, modes, columns);
     const auto pairs = pairs_of_rows(first, last, modes);
-    const petsc::Tall loads = derivative_loads(mesh, dofs, full.materials, local, first, last);
+    petsc::Tall loads = derivative_loads(mesh, dofs, full.materials, local, first, last);
+    // Without their resultants, so that the bounds are of what is solved.
+    if (rigid.cols() > 0) petsc::subtract(loads, massive, petsc::inner(mesh.comm, rigid, loads));
     Eigen::ArrayXd bounds = norm(loads) / first_eigenvalue;
     for (std::size_t p = 0; p < pairs.size(); ++p) bounds[static_cast<Index>(p)] *= weight(pairs[p]);
     const auto chosen = worth_solving(pairs, bounds, least(), counts);
