@@ -47,7 +47,8 @@ class Bases : public testing::TestWithParam<bool> {
 
 TEST_P(Bases, AreOrthonormalWithADiagonalStiffness) {
   for (const int size : {0, 1, 8, 14})
-    expect_orthonormal_and_diagonal(r, basis_of(r, {.modes = {}, .derivatives = 5, .cut = {.size = size}}));
+    expect_orthonormal_and_diagonal(
+        r, basis_of(r, {.modes = {}, .derivatives = 5, .cut = {.size = size, .tolerance = 1e-12}}));
 }
 
 // A block that goes is bounded by what is said of it: no scaled column is further from U than that.
@@ -62,7 +63,8 @@ TEST_P(Bases, LeaveOutNoMoreThanTheySay) {
   }
   const int count = static_cast<int>(lambda.size());
   for (const int block : {8, 1000}) {
-    const auto b = basis_of(r, {.modes = {}, .derivatives = count, .cut = {.size = 9}, .block = block});
+    const auto b =
+        basis_of(r, {.modes = {}, .derivatives = count, .cut = {.size = 9, .tolerance = 1e-12}, .block = block});
     EXPECT_LE(left_out(r, b.U, set).norm(), b.reduction.discarded * (1 + 1e-6)) << block;
     // ... nor is it a loose bound: what the best 9 directions leave out is all but attained.
     const Eigen::VectorXd squares =
@@ -82,7 +84,7 @@ TEST_P(Bases, DependentSnapshotsAreFoundOut) {
   expect_orthonormal_and_diagonal(none, b);
   EXPECT_LE(left_out(none, b.U, snapshots).maxCoeff(), 1e-12);
   try {
-    basis_of(none, {.modes = {}, .cut = {.size = 5}}, snapshots);
+    basis_of(none, {.modes = {}, .cut = {.size = 5, .tolerance = 1e-12}}, snapshots);
     FAIL();
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("only 3 "));
@@ -160,15 +162,17 @@ TEST_F(Cantilever, ModesAloneLock) {
 
 TEST_F(Cantilever, DerivativesUnlockIt) {
   const Reduced r = cantilever(4);
-  const auto b = basis_of(r, {.modes = {}, .derivatives = 4});
+  const auto b = basis_of(r, {.modes = {}, .derivatives = 4, .cut = {}});
   EXPECT_EQ(b.U.cols(), 14);
   expect_errors(r, b.U, {3.6e-3, 3.4e-3, 1.8e-2});
 }
 
 TEST_F(Cantilever, EightAndTwelveOfEq18) {
   const Reduced r = cantilever(6);
-  expect_errors(r, basis_of(r, {.modes = {}, .derivatives = 6, .cut = {.size = 8}}).U, {3.6e-3, 3.4e-3, 2.4e-2});
-  expect_errors(r, basis_of(r, {.modes = {}, .derivatives = 6, .cut = {.size = 12}}).U, {1.1e-3, 1.4e-3, 7.2e-3});
+  expect_errors(r, basis_of(r, {.modes = {}, .derivatives = 6, .cut = {.size = 8, .tolerance = 1e-12}}).U,
+                {3.6e-3, 3.4e-3, 2.4e-2});
+  expect_errors(r, basis_of(r, {.modes = {}, .derivatives = 6, .cut = {.size = 12, .tolerance = 1e-12}}).U,
+                {1.1e-3, 1.4e-3, 7.2e-3});
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ struct Case {
 class Polynomial : public testing::TestWithParam<Case> {
  protected:
   const Reduced r = reduced(box_of(std::string("box:1,.4,.3/") + GetParam().mesh, GetParam().free, GetParam().two), 4);
-  const Tall U = basis_of(r, {.derivatives = 4, .cut = {.size = 7}}).U;
+  const Tall U = basis_of(r, {.modes = {}, .derivatives = 4, .cut = {.size = 7, .tolerance = 1e-12}}).U;
   const Tall u = mesh::to_vertices(r.p.mesh, r.p.dofs, U);
   const MPI_Comm comm = r.p.mesh.comm;
   const model::Polynomial polynomial = stages::reduce_polynomial(r.p.mesh, r.p.full.materials, u);
