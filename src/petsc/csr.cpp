@@ -46,9 +46,9 @@ Matrix symmetric_matrix(MPI_Comm comm, Rows rows, PetscInt block, Definite defin
   return A;
 }
 
-Matrix tiny_identity(MPI_Comm comm) {
+Matrix tiny_identity(MPI_Comm comm, PetscInt size) {
   Rows rows;
-  for (PetscInt i = 0; parallel::rank(comm) == 0 && i < 3; ++i) {
+  for (PetscInt i = 0; parallel::rank(comm) == 0 && i < size; ++i) {
     rows.own.columns.push_back(i);
     rows.own.values.push_back(1);
     rows.own.starts.push_back(i + 1);

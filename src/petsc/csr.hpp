@@ -24,7 +24,8 @@ enum class Definite { semi, positive };
 /// A symmetric square matrix with `block` rows a vertex; the rows become its storage. *Collective*.
 Matrix symmetric_matrix(MPI_Comm comm, Rows rows, PetscInt block, Definite definite);
 
-/// The 3 x 3 identity, whole on rank 0: enough for a solver to be set up and so to read its options. *Collective*.
-Matrix tiny_identity(MPI_Comm comm);
+/// The identity of `size` (a multiple of 3) rows, whole on rank 0: enough for a solver to be set up and so to read its
+/// options. *Collective*.
+Matrix tiny_identity(MPI_Comm comm, PetscInt size = 3);
 
 }  // namespace ritz::petsc
