@@ -31,7 +31,8 @@ Rows& storage(Mat A);
 /// Tells PETSc that the values are new. *Collective*.
 void renewed(Mat A);
 
-/// The 3 x 3 identity, whole on rank 0: enough for a solver to be set up and so to read its options. *Collective*.
-Matrix tiny_identity(MPI_Comm comm);
+/// The identity of `size` (a multiple of 3) rows, whole on rank 0: enough for a solver to be set up and so to read its
+/// options. *Collective*.
+Matrix tiny_identity(MPI_Comm comm, PetscInt size = 3);
 
 }  // namespace ritz::petsc

@@ -102,7 +102,8 @@ EigenPairs krylov_schur(Mat K, Mat M, double shift, const ConstTallRef& deflated
 }
 
 void read_eigensolver_options(MPI_Comm comm) {
-  const Matrix K = tiny_identity(comm), M = tiny_identity(comm);
+  constexpr PetscInt size = 99;  // some solvers refuse what is small beside their blocks
+  const Matrix K = tiny_identity(comm, size), M = tiny_identity(comm, size);
   check(MatScale(K, 1.2345678901));  // no shift that a user gives makes K - shift M singular
   const EigenSolver eps = create(comm);
   use_shift_invert(eps, 0);

@@ -150,6 +150,7 @@ Eigen::VectorXd sort_by_energy(const EigenProblem& problem, petsc::TallRef vecto
 
 std::string remedy(const ModesOptions& options) {
   if (options.strategy == Strategy::iterative) return "use -solver direct, or a mesh of better shape";
+  if (options.slepc) return "leave out the options under -modes_eps_ and -modes_st_";
   return options.tolerance > residual_gate ? "choose a smaller -modes_tolerance" : "use a mesh of better shape";
 }
 

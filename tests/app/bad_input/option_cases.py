@@ -40,7 +40,7 @@ SOLVERS = [
         "no effect"),
     bad("an eigensolver that is not there", "-modes_eps_type foo", "foo"),
     bad("modes by interval", "-modes_eps_interval 0,1e9", "-modes_eps_interval", "-modes K"),
-    bad("an eigensolver that takes no shift-invert", "-modes_eps_type lobpcg", "under -modes_"),
+    bad("an eigensolver that takes no shift-invert", "-modes_eps_type lobpcg", "smallest real"),
     bad("the largest eigenvalues under shift-invert", "-modes_eps_largest_magnitude", "under -modes_"),
     bad("the smallest eigenvalues under shift-invert", "-modes_eps_smallest_real", "under -modes_"),
     bad("a number of iterations in words", "-modes_eps_max_it many", "many"),
