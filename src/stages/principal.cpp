@@ -52,6 +52,9 @@ void add(Mat M, Principal& set, const petsc::ConstTallRef& block, const Cut& cut
   MatrixXd small = MatrixXd::Zero(both.cols(), old + block.cols());
   small.topLeftCorner(old, old) = set.sigma.asDiagonal();
   small.rightCols(block.cols()) = petsc::inner(comm, both, petsc::multiply(M, block));
+  // What orthonormalisation took for dependent is left out as well.
+  const petsc::Tall rest = block - petsc::combine(both, small.rightCols(block.cols()));
+  set.discarded += std::max(0.0, petsc::inner(comm, rest, petsc::multiply(M, rest)).trace());
   const bool graded = old == 0 || negligible(set, cut) < small_enough_for_jacobi * set.sigma[0];
   auto [sigma, left] =
       graded ? decompose<Eigen::JacobiSVD<MatrixXd>>(small) : decompose<Eigen::BDCSVD<MatrixXd>>(small);

@@ -61,7 +61,7 @@ TEST_F(Principals, OneBlockIsADenseDecomposition) {
   const double first = expected.singularValues()[0];
   EXPECT_LE((set.sigma - expected.singularValues()).cwiseAbs().maxCoeff(), 1e-13 * first);
   EXPECT_LE(largest_sine(M, directions(expected, 6), whole(p.mesh.comm, set.Q.leftCols(6))), 1e-11);
-  EXPECT_EQ(set.discarded, 0);
+  EXPECT_LE(set.discarded, 1e-26 * first * first);  // rounding alone
 }
 
 TEST_F(Principals, ManyBlocksAgreeToWhatTheyDiscard) {
