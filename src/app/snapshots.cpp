@@ -48,6 +48,8 @@ class NumpySnapshots : public Snapshots {
       refuse(file, "snapshots must be a float64 array of two dimensions in C order, a snapshot a row");
     count = std::stoll(sizes[1]);
     length = std::stoll(sizes[2]);
+    const auto numbers = (static_cast<std::int64_t>(std::filesystem::file_size(file)) - first_) / 8;
+    if (length > 0 && numbers / length < count) refuse(file, "the file ends before the last of its snapshots");
   }
 
   void read(std::int64_t row, Row& into) override {
@@ -105,6 +107,7 @@ petsc::Tall read_rows(const std::filesystem::path& file, const mesh::Mesh& mesh)
     refuse(file, "its vectors have " + std::to_string(in->length) + " numbers, but the mesh has " +
                      std::to_string(mesh.vertices_total) + " vertices, so they must have " +
                      std::to_string(3 * mesh.vertices_total));
+  if (in->count == 0) refuse(file, "it holds no snapshot");
   petsc::Tall u(3 * mesh.owned, in->count);
   Row row(in->length);
   for (std::int64_t s = 0; s < in->count; ++s) {
