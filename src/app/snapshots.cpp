@@ -49,7 +49,8 @@ class NumpySnapshots : public Snapshots {
     count = std::stoll(sizes[1]);
     length = std::stoll(sizes[2]);
     const auto numbers = (static_cast<std::int64_t>(std::filesystem::file_size(file)) - first_) / 8;
-    if (length > 0 && numbers / length < count) refuse(file, "the file ends before the last of its snapshots");
+    if (length > 0 && numbers / length < count)
+      refuse(file, "the file ends before its snapshot " + std::to_string(numbers / length + 1));
   }
 
   void read(std::int64_t row, Row& into) override {
