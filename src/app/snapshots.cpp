@@ -85,6 +85,8 @@ class Hdf5Snapshots : public Snapshots {
     const std::array<hsize_t, 2> start{static_cast<hsize_t>(row), 0}, counts{1, static_cast<hsize_t>(length)};
     const format::Space memory(H5Screate_simple(1, &counts[1], nullptr));
     H5Sselect_hyperslab(space_.get(), H5S_SELECT_SET, start.data(), nullptr, counts.data(), nullptr);
+    const format::Type type(H5Dget_type(dataset_.get()));
+    if (H5Tget_class(type.get()) != H5T_FLOAT) refuse(path_, "/snapshots must hold floating point numbers");
     if (H5Dread(dataset_.get(), H5T_NATIVE_DOUBLE, memory.get(), space_.get(), H5P_DEFAULT, into.data()) < 0)
       refuse(path_, "/snapshots cannot be read as numbers");
   }

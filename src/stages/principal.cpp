@@ -46,6 +46,7 @@ void add(Mat M, Principal& set, const petsc::ConstTallRef& block, const Cut& cut
   if (old == 0) set.Q.resize(block.rows(), 0);
   petsc::Tall fresh = normalised(comm, block);
   const int width = petsc::orthonormalise(M, set.Q, fresh);
+  if (old + width == 0) return;  // nothing moves
   petsc::Tall both(block.rows(), old + width);
   both << set.Q, fresh.leftCols(width);
 
