@@ -127,7 +127,6 @@ void read_basis(Database& options, Config& config) {
   if (basis.derivatives > config.modes.count)
     throw InputError("option -derivatives " + std::to_string(basis.derivatives) + " asks for more modes than -modes " +
                      std::to_string(config.modes.count) + "; raise -modes");
-  if (config.snapshots && config.snapshots->empty()) throw InputError("option -snapshots needs a file after it");
   if (basis.derivatives > 0) config.modes.inverse = stages::InverseUse::kept;
   if (basis.derivatives > 0 || by_size || by_tolerance || !basis.modes.empty() || config.snapshots ||
       config.forces == ReducedForces::polynomial)

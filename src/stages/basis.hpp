@@ -21,7 +21,6 @@ struct BasisResult {
   petsc::Tall U;  ///< rows of free degrees of freedom: UᵀMU = I, UᵀKU diagonal and ascending
   model::Reduction reduction;
   std::vector<std::pair<std::string, double>> figures;  ///< for the report
-  std::vector<std::string> notes;
 };
 
 /// Eq. 18's set { (λ₁/λ_j) ψ_j } ∪ { (λ₁²/(λ_i λ_j)) Φ_ij, i ≤ j }, ψ mass-orthonormal, Φ as Eq. 15 gives it, in
