@@ -4,9 +4,9 @@
 
 #include <array>
 #include <cstdint>
+#include <cstdio>
 #include <fstream>
 #include <memory>
-#include <regex>
 #include <string>
 
 #include "ritz/base/error.hpp"
@@ -42,12 +42,12 @@ class NumpySnapshots : public Snapshots {
     std::string header(static_cast<std::size_t>(byte(8) + 256 * byte(9)), ' ');
     in_.read(header.data(), static_cast<std::streamsize>(header.size()));
     first_ = static_cast<std::int64_t>(start.size() + header.size());
-    static const std::regex form(R"('descr': '<f8', 'fortran_order': False, 'shape': \((\d{1,15}), (\d{1,15})\))");
-    std::smatch sizes;
-    if (!std::regex_search(header, sizes, form))
+    long long rows = 0, columns = 0;
+    constexpr auto form = "{'descr': '<f8', 'fortran_order': False, 'shape': (%15lld, %15lld)";
+    if (std::sscanf(header.c_str(), form, &rows, &columns) != 2 || rows < 0)
       refuse(file, "snapshots must be a float64 array of two dimensions in C order, a snapshot a row");
-    count = std::stoll(sizes[1]);
-    length = std::stoll(sizes[2]);
+    count = rows;
+    length = columns;
     const auto numbers = (static_cast<std::int64_t>(std::filesystem::file_size(file)) - first_) / 8;
     if (length > 0 && numbers / length < count)
       refuse(file, "the file ends before its snapshot " + std::to_string(numbers / length + 1));
