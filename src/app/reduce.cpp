@@ -28,9 +28,8 @@ std::string line(const char* format, Values... values) {
 stages::Figures taylor(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
                        const stages::Full& full, const stages::ModesResult& modes) {
   if (config.basis->derivatives == 0) return {};
-  const auto rigid = std::ranges::count(modes.modes.kinds, model::ModeKind::rigid);
-  const petsc::Tall R = modes.vectors.leftCols(rigid), flexible = modes.vectors.rightCols(modes.vectors.cols() - rigid);
-  return stages::taylor_witness({mesh, dofs, full, R, flexible, modes.inverse}, full.materials);
+  const petsc::Tall flexible = stages::flexible_modes(modes);
+  return stages::taylor_witness({mesh, dofs, full, modes, flexible}, full.materials);
 }
 
 }  // namespace

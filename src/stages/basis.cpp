@@ -16,10 +16,6 @@ using Eigen::Index;
 constexpr std::uint64_t sign_stream = 3000;
 constexpr double orthonormality_gate = 1e-11;
 
-Index rigid_modes(const model::Modes& modes) {
-  return std::count(modes.kinds.begin(), modes.kinds.end(), model::ModeKind::rigid);
-}
-
 /// K' raised to the end of a cluster.
 int whole_cluster(const Eigen::VectorXd& values, int count) {
   while (count > 0 && count < values.size() && values[count] - values[count - 1] <= cluster_gap * values[count])
@@ -38,9 +34,9 @@ struct Entering {
 };
 
 Entering entering(const ModesResult& modes, const std::vector<int>& chosen) {
-  const Index rigid = rigid_modes(modes.modes), flexible = modes.vectors.cols() - rigid;
+  const auto vectors = flexible_modes(modes);
+  const Index flexible = vectors.cols();
   const auto values = modes.modes.eigenvalues.tail(flexible);
-  const auto vectors = modes.vectors.rightCols(flexible);
   if (chosen.empty()) return {values, vectors};
   std::vector<Index> columns;
   for (const int mode : chosen) {
@@ -57,7 +53,7 @@ void add_derivatives(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full&
                      BasisResult& result) {
   const Eigen::VectorXd& values = in.values;
   const int count = whole_cluster(values, options.derivatives);
-  const petsc::Tall R = modes.vectors.leftCols(rigid_modes(modes.modes)), flexible = in.vectors.leftCols(count);
+  const petsc::Tall flexible = in.vectors.leftCols(count);
   const auto weight = [&](Pair p) { return values[0] / values[p.i] * (values[0] / values[p.j]); };
   const int all = count * (count + 1) / 2;
   int done = 0;
@@ -68,8 +64,7 @@ void add_derivatives(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full&
     progress("derivatives", double(done += static_cast<int>(block.pairs.size())) / all);
   };
   const auto counts = derivatives(
-      {mesh, dofs, full, R, flexible, modes.inverse}, values[0], options.block, weight,
-      [&] { return negligible(set, options.cut); }, take);
+      {mesh, dofs, full, modes, flexible}, options.block, weight, [&] { return dispensable(set, options.cut); }, take);
   set.discarded += counts.skipped;
   result.figures.insert(result.figures.end(), {{"derivative_pairs", counts.pairs},
                                                {"derivatives_solved", counts.solved},
@@ -135,7 +130,7 @@ BasisResult basis(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full& fu
   const int r = kept(set, options.cut);
   result.reduction.singular_values = set.sigma;
   result.reduction.discarded = std::sqrt(set.discarded + set.sigma.tail(set.sigma.size() - r).squaredNorm());
-  finish(mesh, dofs, full, modes.vectors.leftCols(rigid_modes(modes.modes)), set.Q.leftCols(r), result);
+  finish(mesh, dofs, full, rigid_modes(modes), set.Q.leftCols(r), result);
   return result;
 }
 

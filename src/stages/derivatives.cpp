@@ -24,7 +24,7 @@ double smallest_ratio(const fem::Coordinates<E>& x) {
   return Eigen::SelfAdjointEigenSolver<fem::MassMatrix<E>>(scaled, Eigen::EigenvaluesOnly).eigenvalues()[0];
 }
 
-/// c: M ≥ c D. A straight linear tetrahedron has ½ whatever its shape.
+/// m: M ≥ m D. A straight linear tetrahedron has ½ whatever its shape.
 double mass_ratio(const mesh::Mesh& mesh) {
   double least = 0.5;
   for (int cell = 0; cell < mesh.cells.owned; ++cell) {
@@ -52,13 +52,39 @@ class InverseMassNorm {
     petsc::check(VecRestoreArrayRead(diagonal, &values));
   }
 
-  Eigen::VectorXd operator()(const petsc::Tall& b) const {
-    return petsc::column_norms(comm_, inverse_root_.asDiagonal() * b);
+  Eigen::ArrayXd operator()(const petsc::Tall& b) const {
+    return petsc::column_norms(comm_, inverse_root_.asDiagonal() * b).array();
   }
 
  private:
   MPI_Comm comm_;
   Eigen::VectorXd inverse_root_;
+};
+
+/// Upper bounds of ‖K⁻¹b_j‖_M, b without resultants.
+class InverseBound {
+ public:
+  InverseBound(const mesh::Mesh& mesh, Mat M, const ModesResult& modes)
+      : comm_(mesh.comm),
+        norm_(mesh, M),
+        known_(flexible_modes(modes)),
+        massive_(petsc::multiply(M, known_)),
+        eigenvalues_(modes.modes.eigenvalues.tail(known_.cols())) {}
+
+  Eigen::ArrayXd operator()(const petsc::Tall& b) const {
+    const Eigen::MatrixXd parts = petsc::inner(comm_, known_, b);
+    petsc::Tall rest = b;
+    petsc::subtract(rest, massive_, parts);
+    const Eigen::ArrayXd solved = (eigenvalues_.cwiseInverse().asDiagonal() * parts).colwise().squaredNorm();
+    return (solved + (norm_(rest) / eigenvalues_.tail(1)[0]).square()).sqrt();
+  }
+
+ private:
+  MPI_Comm comm_;
+  InverseMassNorm norm_;
+  petsc::ConstTallRef known_;
+  petsc::Tall massive_;
+  Eigen::VectorXd eigenvalues_;
 };
 
 /// The row behind the last one of a block of at least `columns` pairs that begins with row `first`.
@@ -69,13 +95,14 @@ int last_row(int first, int modes, int columns) {
 }
 
 /// Divides the pairs of a block into those to solve and those that cannot matter.
-std::vector<Index> worth_solving(const std::vector<Pair>& pairs, const Eigen::ArrayXd& bounds, double least,
+std::vector<Index> worth_solving(const std::vector<Pair>& pairs, const Eigen::ArrayXd& bounds, double allowed,
                                  DerivativeCounts& counts) {
   std::vector<Index> solved;
   for (std::size_t p = 0; p < pairs.size(); ++p) {
     const auto n = static_cast<Index>(p);
-    if (!(bounds[n] < least)) solved.push_back(n);
-    else counts.skipped += bounds[n] * bounds[n];
+    const double skipped = counts.skipped + bounds[n] * bounds[n];
+    if (skipped < allowed * allowed) counts.skipped = skipped;
+    else solved.push_back(n);
   }
   counts.pairs += static_cast<int>(pairs.size());
   counts.solved += static_cast<int>(solved.size());
@@ -84,12 +111,13 @@ std::vector<Index> worth_solving(const std::vector<Pair>& pairs, const Eigen::Ar
 
 }  // namespace
 
-DerivativeCounts derivatives(const DerivativesSource& source, double first_eigenvalue, int columns,
-                             const std::function<double(Pair)>& weight, const std::function<double()>& least,
+DerivativeCounts derivatives(const DerivativesSource& source, int columns, const std::function<double(Pair)>& weight,
+                             const std::function<double()>& allowed,
                              const std::function<void(const DerivativeBlock&)>& take) {
-  const auto& [mesh, dofs, full, rigid, flexible, inverse] = source;
+  const auto& [mesh, dofs, full, found, flexible] = source;
+  const petsc::Tall rigid = rigid_modes(found);
   const petsc::Tall local = mesh::with_ghosts(mesh, mesh::to_vertices(mesh, dofs, flexible));
-  const InverseMassNorm norm(mesh, full.mass);
+  const InverseBound bound(mesh, full.mass, found);
   const double norm_K = one_norm(full.stiffness);
   const petsc::Tall massive = petsc::multiply(full.mass, rigid);
   const int modes = static_cast<int>(flexible.cols());
@@ -100,11 +128,11 @@ DerivativeCounts derivatives(const DerivativesSource& source, double first_eigen
     petsc::Tall loads = derivative_loads(mesh, dofs, full.materials, local, first, last);
     // Without their resultants, so that the bounds are of what is solved.
     if (rigid.cols() > 0) petsc::subtract(loads, massive, petsc::inner(mesh.comm, rigid, loads));
-    Eigen::ArrayXd bounds = norm(loads) / first_eigenvalue;
+    Eigen::ArrayXd bounds = bound(loads);
     for (std::size_t p = 0; p < pairs.size(); ++p) bounds[static_cast<Index>(p)] *= weight(pairs[p]);
-    const auto chosen = worth_solving(pairs, bounds, least(), counts);
+    const auto chosen = worth_solving(pairs, bounds, allowed(), counts);
     if (chosen.empty()) continue;
-    auto solved = solve(full, inverse, rigid, norm_K, loads(Eigen::all, chosen));
+    auto solved = solve(full, found.inverse, rigid, norm_K, loads(Eigen::all, chosen));
     counts.iterations = std::max(counts.iterations, solved.iterations);
     counts.residual = std::max(counts.residual, solved.residual);
     DerivativeBlock block{{}, std::move(solved.x)};

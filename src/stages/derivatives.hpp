@@ -26,19 +26,19 @@ struct DerivativesSource {
   const mesh::Mesh& mesh;
   const mesh::Dofs& dofs;
   const Full& full;
-  const petsc::Tall& rigid;     ///< M-orthonormal
-  const petsc::Tall& flexible;  ///< the modes ψ_1 ... ψ_K'
-  const Inverse& inverse;
+  const ModesResult& modes;     ///< all that were found, and what they were found with
+  const petsc::Tall& flexible;  ///< those of them whose derivatives are wanted, ψ_1 ... ψ_K'
 };
 
 /// Solves K Φ_ij = −(H:ψ_j) ψ_i for all pairs i ≤ j in blocks of `columns` or a little more and hands each block over.
 /// Free bodies: the loads are projected, and Φ is M-orthogonal to the rigid modes.
 ///
-/// A pair is not solved when weight(pair) ‖Φ‖_M is certainly below `least()`, by ‖Φ‖_M ≤ ‖b‖_{M⁻¹}/λ₁ and
-/// ‖b‖²_{M⁻¹} ≤ bᵀ D⁻¹ b / c, D the diagonal of M and c the smallest eigenvalue of any cell's D_e⁻¹M_e [Wathen 1987].
-/// Throws NumericalError. *Collective*.
-DerivativeCounts derivatives(const DerivativesSource& source, double first_eigenvalue, int columns,
-                             const std::function<double(Pair)>& weight, const std::function<double()>& least,
+/// A pair is not solved while Σ (weight(pair) ‖Φ‖_M)² over all those not solved is certainly below `allowed()`². The n
+/// modes found split b: their part is solved exactly, and no eigenvalue of the rest c = b − MΨΨᵀb is below λ_n, so that
+/// ‖Φ‖²_M ≤ Σ (ψᵢᵀb/λᵢ)² + (‖c‖_{M⁻¹}/λ_n)². ‖c‖²_{M⁻¹} ≤ cᵀD⁻¹c / m, D the diagonal of M and m the smallest
+/// eigenvalue of any cell's D_e⁻¹M_e [Wathen 1987]. Throws NumericalError. *Collective*.
+DerivativeCounts derivatives(const DerivativesSource& source, int columns, const std::function<double(Pair)>& weight,
+                             const std::function<double()>& allowed,
                              const std::function<void(const DerivativeBlock&)>& take);
 
 }  // namespace ritz::stages

@@ -1,5 +1,6 @@
 // The lowest vibration modes of Kψ = λMψ (Eq. 1), certified.
 #pragma once
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <string>
@@ -37,6 +38,16 @@ struct ModesResult {
   Inverse inverse;                 ///< empty where it is spent
   std::vector<std::string> notes;  ///< what a careful user should know
 };
+
+/// The rigid modes: the first columns.
+inline petsc::ConstTallRef rigid_modes(const ModesResult& result) {
+  return result.vectors.leftCols(std::ranges::count(result.modes.kinds, model::ModeKind::rigid));
+}
+
+/// The flexible modes: the columns behind the rigid ones, λ ascending.
+inline petsc::ConstTallRef flexible_modes(const ModesResult& result) {
+  return result.vectors.rightCols(result.vectors.cols() - rigid_modes(result).cols());
+}
 
 using ModesProgress = std::function<void(const std::string& what, double fraction)>;
 

@@ -39,6 +39,10 @@ double negligible(const Principal& set, const Cut& cut) {
   return cut.size <= set.sigma.size() ? std::max(floor, margin * set.sigma[cut.size - 1]) : floor;
 }
 
+double dispensable(const Principal& set, const Cut& cut) {
+  return cut.size == 0 && set.sigma.size() > 0 ? cut.tolerance / 2 * set.sigma[0] : negligible(set, cut);
+}
+
 void add(Mat M, Principal& set, const petsc::ConstTallRef& block, const Cut& cut) {
   if (block.cols() == 0) return;
   const MPI_Comm comm = comm_of(M);

@@ -22,6 +22,10 @@ struct Cut {
 /// blocks are added, since singular values do.
 double negligible(const Principal& set, const Cut& cut);
 
+/// What vectors that are never added may amount to, the root of the sum of their squares: half the tolerance in units
+/// of σ₁, so that no σ moves by more [Weyl 1912]; for a cut by size, which knows no tolerance, what is negligible.
+double dispensable(const Principal& set, const Cut& cut);
+
 /// Adds the columns of `block` and drops what is negligible [Brand 2002]. *Collective*.
 void add(Mat M, Principal& set, const petsc::ConstTallRef& block, const Cut& cut);
 

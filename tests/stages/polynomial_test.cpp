@@ -85,9 +85,9 @@ TEST_P(Polynomial, TaylorNoticesWrongDerivatives) {
   auto other = r.p.full.materials;
   for (auto& material : other) material.poisson *= .9;
   EXPECT_THROW(stages::taylor_witness(r.source(), other), NumericalError);
-  const stages::Inverse wrong = [](const petsc::ConstTallRef& b, petsc::TallRef x) { x = -b; };
-  auto source = r.source();
-  const stages::DerivativesSource broken{source.mesh, source.dofs, source.full, source.rigid, source.flexible, wrong};
+  stages::ModesResult wrong = r.modes;
+  wrong.inverse = [](const petsc::ConstTallRef& b, petsc::TallRef x) { x = -b; };
+  const stages::DerivativesSource broken{r.p.mesh, r.p.dofs, r.p.full, wrong, r.flexible};
   EXPECT_NO_FATAL_FAILURE({
     try {
       const auto figures = stages::taylor_witness(broken, r.p.full.materials);

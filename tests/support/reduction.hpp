@@ -10,7 +10,7 @@ struct Reduced {
   stages::ModesResult modes;
   petsc::Tall rigid, flexible;
 
-  stages::DerivativesSource source() const { return {p.mesh, p.dofs, p.full, rigid, flexible, modes.inverse}; }
+  stages::DerivativesSource source() const { return {p.mesh, p.dofs, p.full, modes, flexible}; }
   Eigen::VectorXd lambda() const { return test::flexible(modes.modes); }
   /// XᵀMY, the same on all ranks. *Collective*.
   Eigen::MatrixXd gram(const petsc::Tall& x, const petsc::Tall& y) const {
@@ -46,7 +46,7 @@ inline Problem box_of(const std::string& text, bool free, bool two = false) {
 inline stages::DerivativeBlock all_derivatives(const Reduced& r) {
   stages::DerivativeBlock all;
   stages::derivatives(
-      r.source(), r.lambda()[0], 1 << 20, [](stages::Pair) { return 1.0; }, [] { return 0.0; },
+      r.source(), 1 << 20, [](stages::Pair) { return 1.0; }, [] { return 0.0; },
       [&](const stages::DerivativeBlock& block) { all = block; });
   return all;
 }
