@@ -5,7 +5,6 @@
 #include "ritz/app/checksums.hpp"
 #include "ritz/app/full_recorder.hpp"
 #include "ritz/app/full_start.hpp"
-#include "ritz/app/plan.hpp"
 #include "ritz/app/progress.hpp"
 #include "ritz/app/resources.hpp"
 #include "ritz/app/warnings.hpp"
@@ -14,11 +13,6 @@
 
 namespace ritz::app {
 namespace {
-
-petsc::LinearSolver linear_solver(const config::Config& config, const mesh::Dofs& dofs) {
-  return choose_strategy(config, dofs).strategy == stages::Strategy::direct ? petsc::LinearSolver::direct
-                                                                            : petsc::LinearSolver::iterative;
-}
 
 FullPlan plan(const scene::Scene& scene, std::vector<double> times, const std::vector<std::int64_t>& frames) {
   FullPlan plan;

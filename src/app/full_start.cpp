@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "ritz/app/full_file.hpp"
+#include "ritz/app/plan.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/parallel/guard.hpp"
 
@@ -20,10 +21,20 @@ stages::FullIntegrator integrator_of(const scene::Time& time) {
                    "\": the full model has avf, newmark and implicit-euler");
 }
 
-scene::Scene read_full_scene(MPI_Comm comm, const std::filesystem::path& path) {
+petsc::LinearSolver linear_solver(const config::Config& config, const mesh::Dofs& dofs) {
+  return choose_strategy(config, dofs).strategy == stages::Strategy::direct ? petsc::LinearSolver::direct
+                                                                            : petsc::LinearSolver::iterative;
+}
+
+scene::Scene read_scene(MPI_Comm comm, const std::filesystem::path& path) {
   scene::Scene scene;
+  parallel::together(comm, [&] { scene = scene::read(path); });
+  return scene;
+}
+
+scene::Scene read_full_scene(MPI_Comm comm, const std::filesystem::path& path) {
+  auto scene = read_scene(comm, path);
   parallel::together(comm, [&] {
-    scene = scene::read(path);
     if (const auto* time = std::get_if<scene::Time>(&scene.analysis)) integrator_of(*time);
     if (!scene.damping.ratio.empty())
       throw InputError(path.string() + ": [damping] ratio is for modes; the full model has alpha and beta");

@@ -6,7 +6,13 @@
 
 namespace ritz::app {
 
-/// The scene, the same on all ranks. Throws InputError for what the full model cannot do. *Collective*.
+/// What -solver asks for, or what fits. *Collective*.
+petsc::LinearSolver linear_solver(const config::Config& config, const mesh::Dofs& dofs);
+
+/// The scene, the same on all ranks. Throws InputError. *Collective*.
+scene::Scene read_scene(MPI_Comm comm, const std::filesystem::path& path);
+
+/// The same for ritz-full. Throws InputError also for what the full model cannot do. *Collective*.
 scene::Scene read_full_scene(MPI_Comm comm, const std::filesystem::path& path);
 
 stages::FullIntegrator integrator_of(const scene::Time& time);

@@ -3,6 +3,7 @@
 #include "ritz/app/earlier.hpp"
 #include "ritz/app/export.hpp"
 #include "ritz/app/frequencies.hpp"
+#include "ritz/app/full_start.hpp"
 #include "ritz/app/geometry.hpp"
 #include "ritz/app/plan.hpp"
 #include "ritz/app/progress.hpp"
@@ -29,6 +30,7 @@ std::string size_line(const mesh::Mesh& mesh, const mesh::Dofs& dofs) {
 void reduce(MPI_Comm comm, const config::Config& config) {
   Progress progress(comm, config.voice);
   if (config.goal == config::Goal::model) refuse_unwritable(comm, config.output);
+  const auto scene = config.accuracy ? std::optional(read_scene(comm, config.accuracy->scene)) : std::nullopt;
   const auto mesh = progress.stage("mesh", [&] { return mesh::read(comm, config.source); });
   const auto dofs = mesh::number(mesh, config.supports, config.file_supports);
   const auto materials = config::region_materials(config, mesh.regions);
@@ -39,6 +41,7 @@ void reduce(MPI_Comm comm, const config::Config& config) {
   const auto options = choose_strategy(config, dofs);
   if (config.goal == config::Goal::plan) return print_plan(config, mesh, dofs, full, options, progress);
 
+  const auto path = static_path(config, scene, mesh, dofs, full, progress);
   const auto earlier = modes_to_reuse(config, mesh, dofs, materials, progress);
   const auto modes = progress.stage("modes", [&] {
     return stages::linear_modes(mesh, dofs, full, options, earlier,
@@ -46,7 +49,7 @@ void reduce(MPI_Comm comm, const config::Config& config) {
   });
   for (const auto& text : modes.notes) progress.warn(text);
 
-  const auto reduced = reduce_basis(config, mesh, dofs, full, modes, progress);
+  const auto reduced = reduce_basis(config, mesh, dofs, full, modes, path, progress);
   const auto u = mesh::to_vertices(mesh, dofs, reduced.U);
   const auto polynomial = reduce_forces(config, mesh, dofs, full, u, progress);
   const auto inertia = progress.stage("inertia", [&] { return stages::inertia(mesh, full.scalar_mass, u); });

@@ -27,21 +27,34 @@ std::string line(const char* format, Values... values) {
 
 stages::Figures taylor(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
                        const stages::Full& full, const stages::ModesResult& modes) {
-  if (config.basis->derivatives == 0) return {};
+  if (config.basis->derivatives == 0 && !config.accuracy) return {};
   const petsc::Tall flexible = stages::flexible_modes(modes);
-  return stages::taylor_witness({mesh, dofs, full, modes, flexible}, full.materials);
+  return stages::taylor_witness({mesh, dofs, full, modes, flexible, static_cast<int>(flexible.cols())}, full.materials);
+}
+
+stages::BasisResult accurate(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const stages::Full& full,
+                             const stages::ModesResult& modes, const stages::StaticPath& path, double target,
+                             const stages::ModesProgress& progress) {
+  auto [basis, chosen] = stages::accurate_basis(mesh, dofs, full, modes, path, target, progress);
+  basis.figures.insert(basis.figures.end(), {{"accuracy_target", target},
+                                             {"accuracy_error", chosen.error},
+                                             {"accuracy_modes", chosen.modes},
+                                             {"accuracy_columns", chosen.columns}});
+  return std::move(basis);
 }
 
 }  // namespace
 
 ReducedBasis reduce_basis(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
-                          const stages::Full& full, const stages::ModesResult& modes, Progress& progress) {
+                          const stages::Full& full, const stages::ModesResult& modes,
+                          const std::optional<stages::StaticPath>& path, Progress& progress) {
   if (!config.basis) return {modes.vectors, {}, {}};
   petsc::Tall snapshots(dofs.owned, 0);
   if (config.snapshots) snapshots = read_snapshots(*config.snapshots, mesh, dofs);
+  const auto told = [&](const std::string& what, double fraction) { progress.update(what, fraction); };
   auto basis = progress.stage("basis", [&] {
-    return stages::basis(mesh, dofs, full, modes, snapshots, *config.basis,
-                         [&](const std::string& what, double fraction) { progress.update(what, fraction); });
+    return path ? accurate(mesh, dofs, full, modes, *path, config.accuracy->target, told)
+                : stages::basis(mesh, dofs, full, modes, snapshots, *config.basis, told);
   });
   const auto witness = progress.stage("witness", [&] { return taylor(config, mesh, dofs, full, modes); });
   basis.figures.insert(basis.figures.end(), witness.begin(), witness.end());
@@ -69,6 +82,11 @@ std::string basis_lines(const ReducedBasis& basis, const ReducedPolynomial& poly
     text += line("modal derivatives: %.0f pairs, %.0f solved, %.0f too small to matter; Taylor slope %.3f\n", pairs,
                  figure(basis.figures, "derivatives_solved"), figure(basis.figures, "derivatives_skipped"),
                  figure(basis.figures, "witness_taylor_slope"));
+  if (const double target = figure(basis.figures, "accuracy_target"); target > 0)
+    text +=
+        line("accuracy: %.0f columns of %.0f modes and their derivatives; error on the static path %.2e (%.2e asked)\n",
+             figure(basis.figures, "accuracy_columns"), figure(basis.figures, "accuracy_modes"),
+             figure(basis.figures, "accuracy_error"), target);
   if (polynomial.value)
     text += line("polynomial: %td quartic coefficients; against the full model: force %.1e, energy %.1e, K(0) %.1e\n",
                  polynomial.value->quartic.size(), figure(polynomial.witness, "witness_force"),

@@ -5,6 +5,8 @@
 
 #include "ritz/app/progress.hpp"
 #include "ritz/config/config.hpp"
+#include "ritz/scene/scene.hpp"
+#include "ritz/stages/accurate_basis.hpp"
 #include "ritz/stages/witness.hpp"
 
 namespace ritz::app {
@@ -21,9 +23,18 @@ struct ReducedPolynomial {
   stages::Figures witness;
 };
 
-/// Throws InputError for snapshots or sizes that do not fit. *Collective*.
+/// Full equilibria under a quarter, a half, three quarters and all of the scene's loads, where there is a scene; loads
+/// that change in time count as they are when they are largest. Throws InputError, and NumericalError where the full
+/// model has no equilibrium. *Collective*.
+std::optional<stages::StaticPath> static_path(const config::Config& config, const std::optional<scene::Scene>& scene,
+                                              const mesh::Mesh& mesh, const mesh::Dofs& dofs, const stages::Full& full,
+                                              Progress& progress);
+
+/// `path`: what a target for the error is measured on. Throws InputError for snapshots or sizes that do not fit, and
+/// NumericalError when the target is out of reach. *Collective*.
 ReducedBasis reduce_basis(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
-                          const stages::Full& full, const stages::ModesResult& modes, Progress& progress);
+                          const stages::Full& full, const stages::ModesResult& modes,
+                          const std::optional<stages::StaticPath>& path, Progress& progress);
 
 /// `u`: the basis over owned vertices. Throws NumericalError when the witness fails. *Collective*.
 ReducedPolynomial reduce_forces(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,

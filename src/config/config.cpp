@@ -13,6 +13,8 @@
 namespace ritz::config {
 namespace {
 
+constexpr double least_accuracy = 1e-6, most_accuracy = 0.5;
+
 MaterialOptions read_material(Database& options, const std::string& prefix) {
   if (const auto law = options.text(prefix + "law"); law && *law != "stvk")
     throw InputError("option -" + prefix + "law " + *law + ": no such law; the one there is is 'stvk'");
@@ -133,6 +135,26 @@ void read_basis(Database& options, Config& config) {
     config.basis = basis;
 }
 
+/// A target for the error asks for a basis and a polynomial, and leaves nothing else to say of them.
+void read_accuracy(Database& options, Config& config) {
+  const auto target = options.real("accuracy");
+  const auto scene = options.text("accuracy_scene");
+  if (!target && !scene) return;
+  if (!target || !scene)
+    throw InputError(
+        "options -accuracy and -accuracy_scene go together: a target, such as 1e-2, and the scene on which "
+        "the error is measured");
+  if (!(*target >= least_accuracy && *target <= most_accuracy))
+    throw InputError("option -accuracy must be between 1e-6 and 0.5");
+  for (const auto* other : {"-basis", "-basis_tolerance", "-basis_modes", "-derivatives", "-snapshots"})
+    if (petsc::option_value(other))
+      throw InputError(std::string("option -accuracy chooses the basis by itself: leave out ") + other);
+  config.accuracy = {*target, *scene};
+  config.basis.emplace();
+  config.forces = ReducedForces::polynomial;
+  config.modes.inverse = stages::InverseUse::kept;
+}
+
 std::optional<std::int64_t> read_count(Database& options, const std::string& name) {
   if (!petsc::option_value("-" + name)) return std::nullopt;
   return options.integer(name, 1, name == "every" ? 1 : 0);
@@ -165,6 +187,7 @@ Config read_config(MPI_Comm comm, Program program) {
   config.modes.block = options.integer("modes_block", 4, 1, 64);
   config.modes.tolerance = options.real("modes_tolerance", 1e-10, 1e-14, 1e-2);
   read_basis(options, config);
+  read_accuracy(options, config);
   const auto solvers = solver_options_given();
   refuse_foreign_options(solvers);
   config.modes.slepc = std::any_of(solvers.begin(), solvers.end(), [](const auto& o) { return is_slepc(o.first); });

@@ -36,6 +36,12 @@ struct FullOptions {
   std::optional<std::int64_t> frames, every;
 };
 
+/// A basis chosen by its error on the static load path of a scene.
+struct AccuracyOptions {
+  double target = 0;  ///< relative, in the M-norm
+  std::filesystem::path scene;
+};
+
 /// What becomes of the nonlinear forces.
 enum class ReducedForces { none, polynomial };
 
@@ -50,6 +56,7 @@ struct Config {
   Solver solver = Solver::automatic;
   stages::ModesOptions modes;
   std::optional<stages::BasisOptions> basis;  ///< absent: U is the modes
+  std::optional<AccuracyOptions> accuracy;    ///< chooses the basis's size
   std::optional<std::filesystem::path> snapshots;
   ReducedForces forces = ReducedForces::none;
   std::optional<std::filesystem::path> reuse;

@@ -29,6 +29,10 @@ constexpr std::array entries = std::to_array<OptionEntry>({
      "in place of -basis: the smallest singular value kept, relative"},
     {"snapshots", "FILE", "", "none", "displacements for POD: .npy, or HDF5 with /snapshots; a row of 3n numbers each"},
     {"polynomial", "", "", "off", "reduce the StVK forces to their exact polynomial, for large displacements"},
+    {"accuracy", "E", "1e-6 ... 0.5", "none",
+     "choose modes, derivatives and columns by themselves: the smallest basis whose error on the static load path of "
+     "-accuracy_scene, relative and in the M-norm, is below E; with its polynomial"},
+    {"accuracy_scene", "FILE.toml", "", "none", "the scene for -accuracy: its loads, grown from nothing to their most"},
     {"solver", "direct | iterative | auto", "", "auto",
      "direct: MUMPS, certified; iterative: multigrid, less memory, not certified"},
     {"reuse", "FILE.h5", "", "none", "take modes from an earlier model of the same mesh, materials and supports"},

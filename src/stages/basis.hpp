@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "ritz/model/model.hpp"
-#include "ritz/stages/derivatives.hpp"
-#include "ritz/stages/principal.hpp"
+#include "ritz/stages/scaled_set.hpp"
 
 namespace ritz::stages {
 
@@ -33,5 +32,9 @@ struct BasisResult {
 /// cut asks for, NumericalError when a solve fails. *Collective*.
 BasisResult basis(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full& full, const ModesResult& modes,
                   const petsc::ConstTallRef& snapshots, const BasisOptions& options, const ModesProgress& progress);
+
+/// The basis of the set's first `columns` principal directions, finished as above. *Collective*.
+BasisResult cut_basis(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full& full, const ModesResult& modes,
+                      const ScaledSet& set, int columns);
 
 }  // namespace ritz::stages

@@ -88,9 +88,9 @@ class InverseBound {
 };
 
 /// The row behind the last one of a block of at least `columns` pairs that begins with row `first`.
-int last_row(int first, int modes, int columns) {
+int last_row(int first, int rows, int modes, int columns) {
   int count = 0, row = first;
-  while (row < modes && count < columns) count += modes - row++;
+  while (row < rows && count < columns) count += modes - row++;
   return row;
 }
 
@@ -114,7 +114,7 @@ std::vector<Index> worth_solving(const std::vector<Pair>& pairs, const Eigen::Ar
 DerivativeCounts derivatives(const DerivativesSource& source, int columns, const std::function<double(Pair)>& weight,
                              const std::function<double()>& allowed,
                              const std::function<void(const DerivativeBlock&)>& take) {
-  const auto& [mesh, dofs, full, found, flexible] = source;
+  const auto& [mesh, dofs, full, found, flexible, rows] = source;
   const petsc::Tall rigid = rigid_modes(found);
   const petsc::Tall local = mesh::with_ghosts(mesh, mesh::to_vertices(mesh, dofs, flexible));
   const InverseBound bound(mesh, full.mass, found);
@@ -122,8 +122,8 @@ DerivativeCounts derivatives(const DerivativesSource& source, int columns, const
   const petsc::Tall massive = petsc::multiply(full.mass, rigid);
   const int modes = static_cast<int>(flexible.cols());
   DerivativeCounts counts;
-  for (int first = 0, last = 0; first < modes; first = last) {
-    last = last_row(first, modes, columns);
+  for (int first = 0, last = 0; first < rows; first = last) {
+    last = last_row(first, rows, modes, columns);
     const auto pairs = pairs_of_rows(first, last, modes);
     petsc::Tall loads = derivative_loads(mesh, dofs, full.materials, local, first, last);
     // Without their resultants, so that the bounds are of what is solved.

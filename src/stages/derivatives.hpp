@@ -28,9 +28,10 @@ struct DerivativesSource {
   const Full& full;
   const ModesResult& modes;     ///< all that were found, and what they were found with
   const petsc::Tall& flexible;  ///< those of them whose derivatives are wanted, ψ_1 ... ψ_K'
+  int rows;                     ///< only pairs (i, j) with i among the first so many of these
 };
 
-/// Solves K Φ_ij = −(H:ψ_j) ψ_i for all pairs i ≤ j in blocks of `columns` or a little more and hands each block over.
+/// Solves K Φ_ij = −(H:ψ_j) ψ_i for the pairs i ≤ j in blocks of `columns` or a little more and hands each block over.
 /// Free bodies: the loads are projected, and Φ is M-orthogonal to the rigid modes.
 ///
 /// A pair is not solved while Σ (weight(pair) ‖Φ‖_M)² over all those not solved is certainly below `allowed()`². The n

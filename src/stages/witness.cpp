@@ -96,14 +96,14 @@ Figures polynomial_witness(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const
 }
 
 Figures taylor_witness(const DerivativesSource& source, const std::vector<fem::StVK>& materials) {
-  const auto& [mesh, dofs, full, found, flexible] = source;
+  const auto& [mesh, dofs, full, found, flexible, rows] = source;
   const petsc::Tall rigid = rigid_modes(found);
   const Index modes = std::min<Index>(3, flexible.cols());
   const petsc::Tall psi = flexible.leftCols(modes), K_psi = petsc::multiply(full.stiffness, psi);
   Eigen::VectorXd p(modes);
   for (Index i = 0; i < modes; ++i) p[i] = 1.0 / static_cast<double>(1 + i);
   petsc::Tall line = psi * p, curve = petsc::Tall::Zero(psi.rows(), 1);
-  const DerivativesSource first{mesh, dofs, full, found, psi};
+  const DerivativesSource first{mesh, dofs, full, found, psi, static_cast<int>(modes)};
   derivatives(
       first, static_cast<int>(modes * modes), [](Pair) { return 1.0; }, [] { return 0.0; },
       [&](const DerivativeBlock& block) {

@@ -47,6 +47,24 @@ class Nonlinear(InAFolder):
         self.assertLess(error(self.reduced_tip("-modes", "6", "-derivatives", "6", "-basis", "12")), 2e-2)
         self.assertGreater(error(self.reduced_tip("-modes", "6")), .3)
 
+    def test_a_target_for_the_error_is_met_by_few_columns(self):
+        target = 1e-2
+        out = self.reduce(*BEAM, "-accuracy", str(target), "-accuracy_scene", "scene.toml").stdout
+        self.assertIn("error on the static path", out)
+        with h5py.File(self.folder / "model.h5") as file:
+            names = [name.decode() for name in file["report/figure_names"][:]]
+            figures = dict(zip(names, file["report/figure_values"][:]))
+            self.assertEqual(file["bodies/body/reduction/stiffness"].shape, (figures["accuracy_columns"],))
+        self.assertEqual(figures["accuracy_target"], target)
+        self.assertLessEqual(figures["accuracy_error"], target)
+        self.assertLessEqual(figures["accuracy_columns"], 14)
+        self.tool("ritz-inspect", "model.h5", "--check")
+        self.tool("ritz-run", "model.h5", "--scene", "scene.toml")
+        tip = self.tip()
+        full = self.full()
+        # The tip moves most: its error is about that of the whole body.
+        self.assertLess(np.linalg.norm(tip - full), 2 * target * np.linalg.norm(full))
+
     def test_snapshots_of_the_full_model_give_its_states_back(self):
         full = self.full()
         with h5py.File(self.folder / "full.h5") as file:

@@ -87,7 +87,7 @@ TEST_P(Polynomial, TaylorNoticesWrongDerivatives) {
   EXPECT_THROW(stages::taylor_witness(r.source(), other), NumericalError);
   stages::ModesResult wrong = r.modes;
   wrong.inverse = [](const petsc::ConstTallRef& b, petsc::TallRef x) { x = -b; };
-  const stages::DerivativesSource broken{r.p.mesh, r.p.dofs, r.p.full, wrong, r.flexible};
+  const stages::DerivativesSource broken{r.p.mesh, r.p.dofs, r.p.full, wrong, r.flexible, r.source().rows};
   EXPECT_NO_FATAL_FAILURE({
     try {
       const auto figures = stages::taylor_witness(broken, r.p.full.materials);

@@ -10,7 +10,9 @@ struct Reduced {
   stages::ModesResult modes;
   petsc::Tall rigid, flexible;
 
-  stages::DerivativesSource source() const { return {p.mesh, p.dofs, p.full, modes, flexible}; }
+  stages::DerivativesSource source() const {
+    return {p.mesh, p.dofs, p.full, modes, flexible, static_cast<int>(flexible.cols())};
+  }
   Eigen::VectorXd lambda() const { return test::flexible(modes.modes); }
   /// XᵀMY, the same on all ranks. *Collective*.
   Eigen::MatrixXd gram(const petsc::Tall& x, const petsc::Tall& y) const {

@@ -73,4 +73,25 @@ SNAPSHOTS = [
     snapshots("of HDF5 of three dimensions", hdf5("snapshots", GOOD.reshape(2, 12, 3)), "two dimensions", file="s.h5"),
 ]
 
-CASES = [*SIZES, *SNAPSHOTS]
+SCENE = "[static]\nsteps = 1\n"
+PUSHED = "gravity = [0, 0, -1]\n" + SCENE
+
+
+def accuracy(name, options, *says, scene=PUSHED):
+    return bad(f"an accuracy {name}", options, *says, files={"scene.toml": scene})
+
+
+ACCURACY = [
+    accuracy("without a scene", "-accuracy 1e-2", "-accuracy_scene"),
+    accuracy("of no size", "-accuracy_scene scene.toml", "-accuracy "),
+    accuracy("of 0", "-accuracy 0 -accuracy_scene scene.toml", "-accuracy", "1e-6"),
+    accuracy("of 1", "-accuracy 1 -accuracy_scene scene.toml", "-accuracy", "0.5"),
+    accuracy("that is NaN", "-accuracy nan -accuracy_scene scene.toml", "-accuracy"),
+    accuracy("and a size", "-basis 3 -accuracy 1e-2 -accuracy_scene scene.toml", "-basis"),
+    accuracy("and derivatives", "-derivatives 1 -accuracy 1e-2 -accuracy_scene scene.toml", "-derivatives"),
+    accuracy("in a scene that is not there", "-accuracy 1e-2 -accuracy_scene none.toml", "none.toml"),
+    accuracy("in a scene without loads", "-accuracy 1e-2 -accuracy_scene scene.toml", "do not push", scene=SCENE),
+    accuracy("of a free body", "-fix none -accuracy 1e-2 -accuracy_scene scene.toml", "rigid motions"),
+]
+
+CASES = [*SIZES, *SNAPSHOTS, *ACCURACY]

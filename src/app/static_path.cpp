@@ -1,0 +1,58 @@
+#include <algorithm>
+
+#include "ritz/app/full_start.hpp"
+#include "ritz/app/reduce.hpp"
+#include "ritz/app/scene_loads.hpp"
+#include "ritz/base/error.hpp"
+
+namespace ritz::app {
+namespace {
+
+constexpr int levels = 4;
+
+/// The loads of a scene when they are largest. Tables are straight between their points: one of these it is.
+petsc::Tall largest_load(const scene::Scene& scene, const stages::LoadAt& load, MPI_Comm comm) {
+  if (std::holds_alternative<scene::Static>(scene.analysis)) return load(1);
+  const double end = std::get<scene::Time>(scene.analysis).end;
+  std::vector<double> times = {0, end};
+  const auto note = [&](const scene::Table& table) {
+    for (const auto& [t, factor] : table.points)
+      if (t > 0 && t < end) times.push_back(t);
+  };
+  for (const auto& one : scene.loads)
+    if (one.table) note(*one.table);
+  if (scene.shake) note(scene.shake->table);
+  petsc::Tall largest = load(0);
+  for (const double t : times)
+    if (auto now = load(t); petsc::column_norms(comm, now)[0] > petsc::column_norms(comm, largest)[0])
+      largest = std::move(now);
+  return largest;
+}
+
+}  // namespace
+
+std::optional<stages::StaticPath> static_path(const config::Config& config, const std::optional<scene::Scene>& scene,
+                                              const mesh::Mesh& mesh, const mesh::Dofs& dofs, const stages::Full& full,
+                                              Progress& progress) {
+  if (!scene) return std::nullopt;
+  return progress.stage("full statics", [&] {
+    const auto most = largest_load(*scene, scene_loads(*scene, mesh, dofs, full), mesh.comm);
+    if (petsc::column_norms(mesh.comm, most)[0] == 0)
+      throw InputError("option -accuracy_scene " + config.accuracy->scene.string() +
+                       ": its loads do not push the body; give it a [[load]] or gravity");
+    auto model = stages::full_model(mesh, dofs, full, linear_solver(config, dofs));
+    stages::StaticPath path{petsc::Tall(dofs.owned, levels), petsc::Tall(dofs.owned, levels)};
+    int level = 0;
+    stages::full_statics(
+        model, {.steps = levels}, {0, petsc::Tall::Zero(dofs.owned, 1), 0},
+        [&](double fraction) -> petsc::Tall { return fraction * most; },
+        [&](const stages::StaticState& state) {
+          path.loads.col(level) = state.fraction * most;
+          path.truth.col(level++) = state.u;
+          progress.update("", state.fraction);
+        });
+    return std::optional(std::move(path));
+  });
+}
+
+}  // namespace ritz::app

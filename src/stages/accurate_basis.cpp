@@ -1,0 +1,154 @@
+#include "ritz/stages/accurate_basis.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "ritz/base/error.hpp"
+#include "ritz/runtime/nonlinear_statics.hpp"
+#include "ritz/stages/reduce_polynomial.hpp"
+
+namespace ritz::stages {
+namespace {
+
+using Eigen::Index;
+
+constexpr int most_columns = 60, block = 48;
+constexpr int patience = 3;  ///< values of K' that may pass without a smaller basis
+constexpr double nothing_found = std::numeric_limits<double>::infinity();
+
+/// The coefficients of the first r coordinates alone.
+model::Polynomial leading(const model::Polynomial& p, Index r) {
+  model::Polynomial first{r, Eigen::VectorXd(r * (r + 1) / 2), Eigen::VectorXd(r * (r + 1) / 2 * (r + 2) / 3),
+                          Eigen::VectorXd(r * (r + 1) / 2 * (r + 2) / 3 * (r + 3) / 4)};
+  Index from[3] = {}, to[3] = {};
+  for (Index i = 0; i < p.r; ++i)
+    for (Index j = i; j < p.r; ++j) {
+      if (j < r) first.quadratic[to[0]++] = p.quadratic[from[0]];
+      ++from[0];
+      for (Index k = j; k < p.r; ++k) {
+        if (k < r) first.cubic[to[1]++] = p.cubic[from[1]];
+        ++from[1];
+        if (k < r) first.quartic.segment(to[2], r - k) = p.quartic.segment(from[2], r - k);
+        if (k < r) to[2] += r - k;
+        from[2] += p.r - k;
+      }
+    }
+  return first;
+}
+
+/// A path as the coordinates of a basis see it: one column a level.
+struct ReducedPath {
+  Eigen::MatrixXd loads;   ///< UᵀF
+  Eigen::MatrixXd truth;   ///< UᵀMu
+  Eigen::ArrayXd squares;  ///< ‖u‖²_M
+};
+
+ReducedPath seen_from(const petsc::Tall& U, Mat M, MPI_Comm comm, const StaticPath& path) {
+  const petsc::Tall massive = petsc::multiply(M, path.truth);
+  return {petsc::inner(comm, U, path.loads), petsc::inner(comm, U, massive),
+          petsc::inner(comm, path.truth, massive).diagonal().array()};
+}
+
+/// The fewest columns that could represent all levels to `target`; one more than there are where none can.
+Index fewest(const ReducedPath& path, double target) {
+  Eigen::ArrayXd rest = path.squares;
+  for (Index r = 0; r < path.truth.rows(); ++r) {
+    rest -= path.truth.row(r).transpose().array().square();
+    if ((rest <= target * target * path.squares).all()) return r + 1;
+  }
+  return path.truth.rows() + 1;
+}
+
+double static_error(const model::Polynomial& polynomial, const ReducedPath& path) {
+  const Index r = polynomial.r, levels = path.loads.cols();
+  const auto model = runtime::make_nonlinear_model<double>(polynomial, {});
+  auto workspace = runtime::make_static_workspace<double>(model);
+  runtime::Vector<double> z = runtime::Vector<double>::Zero(r), begin = z;
+  double worst = 0;
+  for (Index level = 0; level < levels; ++level) {
+    const runtime::Vector<double> end = path.loads.col(level).head(r);
+    try {
+      runtime::solve_static<double>(model, {begin, end, double(level) / levels, double(level + 1) / levels}, z,
+                                    workspace);
+    } catch (const NumericalError&) {
+      return nothing_found;
+    }
+    const double square = path.squares[level] - 2 * z.dot(path.truth.col(level).head(r)) + z.squaredNorm();
+    worst = std::max(worst, square / path.squares[level]);
+    begin = end;
+  }
+  return std::sqrt(std::max(worst, 0.0));
+}
+
+/// What the search needs at every K'.
+struct Problem {
+  const mesh::Mesh& mesh;
+  const mesh::Dofs& dofs;
+  const Full& full;
+  const ModesResult& modes;
+  const StaticPath& path;
+  double target;
+};
+
+/// The smallest basis of at most `limit` columns cut from the set; or the best there is, which misses the target.
+SizedError smallest(const Problem& in, const Principal& set, int count, int limit) {
+  const petsc::Tall U = set.Q.leftCols(std::min<Index>(limit, set.sigma.size()));
+  const auto path = seen_from(U, in.full.mass, in.mesh.comm, in.path);
+  SizedError best{count, 0, nothing_found};
+  Index r = fewest(path, in.target);
+  for (Index all = r + 4; r <= U.cols(); all *= 2) {
+    const Index width = std::min(all, U.cols());
+    const auto polynomial =
+        reduce_polynomial(in.mesh, in.full.materials, mesh::to_vertices(in.mesh, in.dofs, U.leftCols(width)));
+    for (; r <= width; ++r) {
+      const double error = static_error(leading(polynomial, r), path);
+      if (error < best.error) best = {count, static_cast<int>(r), error};
+      if (error <= in.target) return best;
+    }
+  }
+  return best;
+}
+
+[[noreturn]] void give_up(const Problem& in, const SizedError& best, int modes) {
+  char text[300], reached[120] = "none of them can represent the path to that";
+  if (best.error < nothing_found)
+    std::snprintf(reached, sizeof reached, "the best, %d columns of %d modes and their derivatives, reached %.2e",
+                  best.columns, best.modes, best.error);
+  std::snprintf(text, sizeof text,
+                "option -accuracy %g: no basis of the first %d flexible modes and their derivatives is that accurate "
+                "on the static path (%s); raise -modes or the target",
+                in.target, modes, reached);
+  throw NumericalError(text);
+}
+
+}  // namespace
+
+AccurateBasis accurate_basis(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full& full, const ModesResult& modes,
+                             const StaticPath& path, double target, const ModesProgress& progress) {
+  const Problem in{mesh, dofs, full, modes, path, target};
+  const EnteringModes entering{modes.modes.eigenvalues.tail(flexible_modes(modes).cols()), flexible_modes(modes)};
+  const ScaledSource source{mesh, dofs, full, modes, entering};
+  const Cut cut{.size = most_columns};
+  const int all = static_cast<int>(entering.values.size());
+  ScaledSet set, taken;
+  SizedError closest{0, 0, nothing_found}, best = closest;
+  for (int count = 0, waited = 0; count < all && waited < patience;) {
+    count = whole_cluster(entering.values, count + 1);
+    add_modes(source, count, cut, set);
+    add_derivatives(source, count, block, cut, progress, set);
+    const bool found_before = best.columns > 0;
+    const auto found = smallest(in, set.principal, count, found_before ? best.columns - 1 : most_columns);
+    if (found.error < closest.error) closest = found;
+    waited += found_before;
+    if (!(found.error <= target)) continue;
+    best = found;
+    taken = set;
+    waited = 0;
+  }
+  if (best.columns == 0) give_up(in, closest, all);
+  return {cut_basis(mesh, dofs, full, modes, taken, best.columns), best};
+}
+
+}  // namespace ritz::stages

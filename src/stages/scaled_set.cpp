@@ -1,0 +1,65 @@
+#include "ritz/stages/scaled_set.hpp"
+
+#include <algorithm>
+
+#include "ritz/stages/canonical.hpp"
+
+namespace ritz::stages {
+namespace {
+
+using Eigen::Index;
+
+void count_in(const DerivativeCounts& more, DerivativeCounts& all) {
+  all.pairs += more.pairs;
+  all.solved += more.solved;
+  all.iterations = std::max(all.iterations, more.iterations);
+  all.residual = std::max(all.residual, more.residual);
+  all.skipped += more.skipped;
+}
+
+}  // namespace
+
+int whole_cluster(const Eigen::VectorXd& values, int count) {
+  while (count > 0 && count < values.size() && values[count] - values[count - 1] <= cluster_gap * values[count])
+    ++count;
+  return count;
+}
+
+void add_modes(const ScaledSource& source, int count, const Cut& cut, ScaledSet& set) {
+  const auto& [values, vectors] = source.entering;
+  const int fresh = count - set.modes;
+  if (fresh <= 0) return;
+  const Eigen::VectorXd scale = (values[0] / values.array()).segment(set.modes, fresh);
+  add(source.full.mass, set.principal, vectors.middleCols(set.modes, fresh) * scale.asDiagonal(), cut);
+  set.modes = count;
+}
+
+void add_derivatives(const ScaledSource& source, int count, int block, const Cut& cut, const ModesProgress& progress,
+                     ScaledSet& set) {
+  const int old = set.derivatives, fresh = count - old;
+  if (fresh <= 0) return;
+  // The new modes first: their rows of pairs are all that is new.
+  Eigen::VectorXd values(count);
+  petsc::Tall vectors(source.entering.vectors.rows(), count);
+  values << source.entering.values.segment(old, fresh), source.entering.values.head(old);
+  vectors << source.entering.vectors.middleCols(old, fresh), source.entering.vectors.leftCols(old);
+  const double first = source.entering.values[0];
+  const auto weight = [&](Pair p) { return first / values[p.i] * (first / values[p.j]); };
+  const int all = fresh * old + fresh * (fresh + 1) / 2;
+  int done = 0;
+  const auto take = [&](const DerivativeBlock& derivatives) {
+    Eigen::VectorXd scale(static_cast<Index>(derivatives.pairs.size()));
+    for (std::size_t p = 0; p < derivatives.pairs.size(); ++p)
+      scale[static_cast<Index>(p)] = weight(derivatives.pairs[p]);
+    add(source.full.mass, set.principal, derivatives.columns * scale.asDiagonal(), cut);
+    progress("derivatives", double(done += static_cast<int>(derivatives.pairs.size())) / all);
+  };
+  const auto counts = derivatives(
+      {source.mesh, source.dofs, source.full, source.modes, vectors, fresh}, block, weight,
+      [&] { return dispensable(set.principal, cut); }, take);
+  set.principal.discarded += counts.skipped;
+  count_in(counts, set.counts);
+  set.derivatives = count;
+}
+
+}  // namespace ritz::stages
