@@ -25,9 +25,8 @@ std::string line(const char* format, Values... values) {
   return text;
 }
 
-stages::Figures taylor(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
-                       const stages::Full& full, const stages::ModesResult& modes) {
-  if (config.basis->derivatives == 0 && !config.accuracy) return {};
+stages::Figures taylor(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const stages::Full& full,
+                       const stages::ModesResult& modes) {
   const petsc::Tall flexible = stages::flexible_modes(modes);
   return stages::taylor_witness({mesh, dofs, full, modes, flexible, static_cast<int>(flexible.cols())}, full.materials);
 }
@@ -56,8 +55,10 @@ ReducedBasis reduce_basis(const config::Config& config, const mesh::Mesh& mesh, 
     return path ? accurate(mesh, dofs, full, modes, *path, config.accuracy->target, told)
                 : stages::basis(mesh, dofs, full, modes, snapshots, *config.basis, told);
   });
-  const auto witness = progress.stage("witness", [&] { return taylor(config, mesh, dofs, full, modes); });
-  basis.figures.insert(basis.figures.end(), witness.begin(), witness.end());
+  if (config.basis->derivatives > 0 || config.accuracy) {
+    const auto witness = progress.stage("witness", [&] { return taylor(mesh, dofs, full, modes); });
+    basis.figures.insert(basis.figures.end(), witness.begin(), witness.end());
+  }
   return {std::move(basis.U), std::move(basis.reduction), std::move(basis.figures)};
 }
 

@@ -116,7 +116,7 @@ void write_model(const config::Config& config, const mesh::Mesh& mesh, const mes
   format::write_provenance(out, provenance(config, mesh, dofs, materials, results.modes.strategy));
   format::write_geometry(out, order.geometry, order.slices);
   write_columns(out, mesh.comm, order, results.u);
-  format::write_modes(out, results.modes.modes);
+  if (results.modes.modes.eigenvalues.size() > 0) format::write_modes(out, results.modes.modes);
   if (results.reduction) format::write_reduction(out, *results.reduction);
   if (results.polynomial) format::write_polynomial(out, *results.polynomial);
   format::write_inertia(out, results.inertia);

@@ -49,7 +49,7 @@ Cost run_analysis(const RunOptions& options, const scene::Scene& scene, const mo
                 : run_nonlinear_statics(scene, std::get<scene::Static>(scene.analysis), body, options.precision,
                                         recorder);
   if (options.precision == Precision::single)
-    throw InputError("--single is for nonlinear models, and this one has no polynomial: leave it out");
+    throw InputError("--single is for nonlinear forces, and these are linear: leave it out");
   return time ? run_transient(scene, *time, body, recorder, progress)
               : run_statics(scene, std::get<scene::Static>(scene.analysis), body, recorder);
 }
@@ -66,7 +66,7 @@ void run_scene(const RunOptions& options, const format::ModelReader& in, std::os
   const scene::Scene scene = scene::read(options.scene);
   const std::int64_t steps = count_steps(scene);
   const auto frame_states = frame_schedule(options, steps);
-  const model::Body body = read_body(in, scene, frame_states.empty() ? Frames::none : Frames::some);
+  const model::Body body = read_body(in, scene, frame_states.empty() ? Frames::none : Frames::some, options.forces);
 
   const auto plan = plan_scene(scene, steps, frame_states, reduced_size(body));
   Recorder recorder(options.output, body, plan, frame_states);

@@ -38,13 +38,13 @@ Eigen::Index reduced_size(const model::Body& body) {
   return body.reduction ? body.reduction->stiffness.size() : body.modes->eigenvalues.size();
 }
 
-model::Body read_body(const format::ModelReader& in, const scene::Scene& scene, Frames frames) {
+model::Body read_body(const format::ModelReader& in, const scene::Scene& scene, Frames frames, Forces forces) {
   model::Body body;
   body.name = first_body(in);
   body.reduction = format::read_reduction(in, body.name);
   if (!body.reduction) body.modes = required(format::read_modes(in, body.name), in, "modes");
   const Eigen::Index r = reduced_size(body);
-  body.polynomial = format::read_polynomial(in, body.name);
+  if (forces == Forces::stored) body.polynomial = format::read_polynomial(in, body.name);
   if (body.polynomial) fit(body.polynomial->r, r, in, "polynomial");
   if (frames == Frames::some || any_target<std::int64_t>(scene)) {
     body.geometry = format::read_geometry(in, body.name);

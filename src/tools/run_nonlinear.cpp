@@ -36,7 +36,7 @@ runtime::Method<Scalar> method(const scene::Time& time) {
   }
   throw InputError(
       "the integrator 'exact' is for linear models, and this one is nonlinear: choose avf, implicit-euler, newmark, "
-      "generalized-alpha, bdf2 or central-difference");
+      "generalized-alpha, bdf2 or central-difference, or run it with --linear");
 }
 
 bool undamped(const scene::Damping& damping) {

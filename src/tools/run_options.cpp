@@ -44,6 +44,9 @@ void declare(CLI::App& app, RunOptions& options) {
       "--single", [&] { options.precision = Precision::single; },
       "Compute in single precision (nonlinear models only)");
   app.add_flag_callback(
+      "--linear", [&] { options.forces = Forces::linear; },
+      "Small displacements: leave a model's polynomial unread and\nrun its linear part");
+  app.add_flag_callback(
       "--quiet", [&] { options.voice = Voice::quiet; }, "Print nothing but errors");
 }
 

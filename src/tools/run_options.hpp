@@ -10,6 +10,8 @@ namespace ritz::tools {
 
 enum class Voice : unsigned char { normal, quiet };
 enum class Precision : unsigned char { twofold, single };
+/// Which forces the body has: the polynomial's where the model has one, or those of small displacements.
+enum class Forces : unsigned char { stored, linear };
 
 struct RunOptions {
   std::filesystem::path model;
@@ -19,6 +21,7 @@ struct RunOptions {
   std::optional<std::int64_t> frames;        ///< how many displacement frames, evenly spread
   std::optional<std::int64_t> every;         ///< a frame every so many steps
   Precision precision = Precision::twofold;  ///< of the nonlinear runtime
+  Forces forces = Forces::stored;
   Voice voice = Voice::normal;
 };
 

@@ -142,7 +142,7 @@ TEST(RunNonlinear, RefusesWhatIsForLinearModels) {
   expect_refusal(options, "columns are not modes");
   auto linear = folder.prepare("[time]\nstep = 0.1\nend = 1\n");
   linear.precision = Precision::single;
-  expect_refusal(linear, "--single is for nonlinear models");
+  expect_refusal(linear, "--single is for nonlinear forces");
   expect_refusal(
       folder.prepare("[time]\nstep = 1\nend = 3\nintegrator = 'central-difference'\n", test::nonlinear_sample_model()),
       "unstable");
