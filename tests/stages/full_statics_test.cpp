@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "ritz/base/error.hpp"
+#include "ritz/parallel/comm.hpp"
 #include "ritz/stages/full_loads.hpp"
 #include "support/full_runs.hpp"
 
@@ -92,6 +93,36 @@ TEST(FullStatics, FollowsTheElastica) {
     const auto tip = run.mean(run.statics(run.free(stages::traction_force(run.p.mesh, end, traction)), 5), "xmax");
     EXPECT_NEAR(-tip.x() / u, 1, .01) << load;
     EXPECT_NEAR(tip.z() / w, 1, .01) << load;
+  }
+}
+
+// A moment t EI/L at the end bends the beam into a circle's arc of angle t: the end moves by L (sin t/t − 1) and
+// L/t (1 − cos t). The moment turns with the end: a couple of forces along x on the straight beam, turned by t.
+TEST(FullStatics, AnEndMomentClosesTheCircle) {
+  const double h = .02, EI = 1e7 * h * h * h * h / 12, pi = 4 * std::atan(1.0);
+  const std::vector<mesh::Fixed> in_plane = {fixed("xmin"), fixed("ymin", {0, 1, 0}), fixed("ymax", {0, 1, 0})};
+  FullRun run{problem(box("box:1,.02,.02/40,1,1/tet10"), in_plane, {{1e7, 0, 1000}})};
+  const mesh::Set& end = *run.p.mesh.find("xmax");
+  double arms = 0;  // Σ z² over the end's vertices: forces in proportion to z make the moment
+  for (const int v : end.vertices)
+    if (v < run.p.mesh.owned) arms += std::pow(run.p.mesh.points(2, v) - h / 2, 2);
+  arms = parallel::sum(run.p.mesh.comm, arms);
+  const auto moment = [&](double t) {
+    petsc::Tall force = petsc::Tall::Zero(3 * run.p.mesh.owned, 1);
+    for (const int v : end.vertices)
+      if (v < run.p.mesh.owned)
+        force.col(0).segment<3>(3 * v) =
+            -t * EI * (run.p.mesh.points(2, v) - h / 2) / arms * Eigen::Vector3d(std::cos(t), 0, std::sin(t));
+    return run.free(force);
+  };
+  for (const double t : {pi / 2, 2 * pi}) {
+    stages::StaticState last{0, run.zeros(), 0};
+    stages::full_statics(
+        run.model, {.steps = static_cast<int>(std::round(8 * t / pi))}, last,
+        [&](double fraction) { return moment(fraction * t); }, [&](const stages::StaticState& now) { last = now; });
+    const auto tip = run.mean(last.u, "xmax");
+    EXPECT_NEAR(tip.x(), std::sin(t) / t - 1, .01) << t;
+    EXPECT_NEAR(tip.z(), (1 - std::cos(t)) / t, .01) << t;
   }
 }
 
