@@ -84,6 +84,21 @@ def more_modes_than_there_are(bench, length):
     return [equal("of 24 degrees of freedom, modes", len(bench.modes()), 24), equal("certified", bench.certificate()[0], "inertia")]
 
 
+def more_directions_than_there_are(bench, length):
+    """All modes and all their derivatives: the basis spans everything, many times over."""
+    words = ["-mesh", "box:1,.5,.5/1,1,1/hex8", "-fix", "xmin", *SOFT]
+    bench.reduce(*words, "-modes", "12", "-derivatives", "12", "-polynomial", "-quiet")
+    columns = len(bench.body("model.h5", "reduction/stiffness"))
+    scene = bench.write("bend.toml", '[static]\nsteps = 4\n[[load]]\nset = "xmax"\ntotal = [0, 2e3, 1e4]\n[[probe]]\nname = "tip"\nset = "xmax"\n')
+    tips = []
+    for program, model in (("ritz-run", ["model.h5", "--scene", scene, "--quiet"]), ("ritz-full", [*words, "-scene", scene, "-quiet"])):
+        bench.run(program, *model)
+        tips.append(bench.table("probes.csv")[1][-1, 1:])
+    size = np.linalg.norm(tips[1])
+    return [equal("of 12 degrees of freedom and 90 vectors, columns kept", columns, 12),
+            at_most(f"the tip moves by {size:.3g} m; reduced and full differ by", np.linalg.norm(tips[0] - tips[1]) / size, 1e-8)]
+
+
 ROWS = [
     Row("unreferenced_vertices", "three vertices that no cell uses", "dropped with a warning; the frequencies stay", unreferenced),
     Row("duplicate_vertices", "two blocks meet in a face whose vertices are double", "two bodies: 12 rigid modes, and a warning", duplicate),
@@ -92,4 +107,6 @@ ROWS = [
     Row("nothing_free", "every vertex is held", "refused: exit code 2, one sentence", nothing_free),
     Row("one_free_vertex", "one free vertex, pushed", "3 modes, and with all of them the full model's way to 1e-8", one_free_vertex),
     Row("all_modes", "1000 modes of 24 degrees of freedom", "24 modes, certified", more_modes_than_there_are),
+    Row("all_directions", "12 modes and 78 derivatives of 12 degrees of freedom, bent", "12 columns; the full model's way to 1e-8",
+        more_directions_than_there_are),
 ]

@@ -1,10 +1,10 @@
 """A beam that 3 N bend by a quarter of its length, under 1e3 ... 1e9 times that."""
 from .motion import BEAM, reduce_beam
-from .outcome import finite_or_refused
+from .outcome import finite_or_failed
 from .row import Length, Row
 
 STATIC = '[static]\nsteps = 4\n[[load]]\nset = "xmax"\ntotal = [0, 1, {force!r}]\n'
-MOVING = '[time]\nstep = .02\nend = .2\nintegrator = "{integrator}"\n[[load]]\nset = "xmax"\ntotal = [0, 1, {force!r}]\n'
+MOVING = '[time]\nstep = 0.02\nend = 0.2\nintegrator = "{integrator}"\n[[load]]\nset = "xmax"\ntotal = [0, 1, {force!r}]\n'
 
 
 def factors(length):
@@ -18,7 +18,7 @@ def reduced(integrator):
         for factor in factors(length):
             text = STATIC if integrator == "static" else MOVING
             scene = bench.write("huge.toml", text.format(force=-3. * factor, integrator=integrator))
-            figures.append(finite_or_refused(bench, f"x {factor:.0e}", "ritz-run", ["model.h5", "--scene", scene, "--quiet"],
+            figures.append(finite_or_failed(bench, f"x {factor:.0e}", "ritz-run", ["model.h5", "--scene", scene, "--quiet"],
                                              "motion.h5", "displacement"))
         return figures
     return run
@@ -30,7 +30,7 @@ def full(integrator):
         for factor in factors(length) if length is Length.full else [1e9]:
             text = STATIC if integrator == "static" else MOVING
             scene = bench.write("huge.toml", text.format(force=-3. * factor, integrator=integrator))
-            figures.append(finite_or_refused(bench, f"x {factor:.0e}", "ritz-full", [*BEAM, "-scene", scene, "-quiet"],
+            figures.append(finite_or_failed(bench, f"x {factor:.0e}", "ritz-full", [*BEAM, "-scene", scene, "-quiet"],
                                              "full.h5", "snapshots"))
         return figures
     return run
@@ -41,7 +41,7 @@ def linear(bench, length):
     figures = []
     for force in (-3e9, -1e150, -1e308):
         scene = bench.write("huge.toml", MOVING.format(force=force, integrator="exact"))
-        figures.append(finite_or_refused(bench, f"{-force:.0e} N", "ritz-run", ["model.h5", "--scene", scene, "--quiet"],
+        figures.append(finite_or_failed(bench, f"{-force:.0e} N", "ritz-run", ["model.h5", "--scene", scene, "--quiet"],
                                          "motion.h5", "displacement"))
     return figures
 

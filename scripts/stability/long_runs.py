@@ -1,15 +1,16 @@
-"""An undamped beam, bent far and let go, over very many steps."""
+"""An undamped beam that is struck at its end, over very many steps."""
 import numpy as np
 
 from .motion import INTEGRATORS, pull, reduce_beam, said
 from .row import Figure, Length, Row, at_most, reported
 
-FAST = 26  # dt omega_max: the step of a motion that is watched, not of one that is resolved
+FAST = 60  # dt omega_max: the step of a motion that is watched; its fast modes, which the blow sets moving, are not resolved
+BLOW = 30.  # N, up and down again over two steps
 
 
 def swing(bench, integrator, steps, fast=FAST):
     step = float(fast / reduce_beam(bench))
-    scene = bench.write("swing.toml", pull(2., step, steps, integrator, ramp=20 * step))
+    scene = bench.write("swing.toml", pull(BLOW, step, steps, integrator, ramp=step))
     return bench.move("model.h5", "--scene", scene, "--frames", "0", code=None)
 
 
@@ -29,9 +30,9 @@ def drift(integrator, fast=FAST):
         if ran.code != 0:
             return [Figure(f"exit {ran.code}, '{ran.sentence}'", ran.code == 1 and bool(ran.sentence))]
         seen = said(ran)
-        figures = [reported(f"{steps} steps with dt omega_max = {fast}: relative to the largest energy, "
-                            f"{seen.gained / seen.largest:.2g} gained and {seen.lost / seen.largest:.2g} lost; {seen.rejected} rejected")]
-        if seen.gained > .1 * seen.largest:
+        figures = [reported(f"{steps} steps with dt omega_max = {fast}: of the energy that the blow brought "
+                            f"{seen.gained:.2g} gained and {seen.lost:.2g} lost; {seen.rejected} steps rejected")]
+        if seen.gained > .1:
             figures.append(Figure(f"warnings: {len(ran.warnings)}", len(ran.warnings) == 1))
         return figures
     return run
@@ -39,15 +40,16 @@ def drift(integrator, fast=FAST):
 
 def warning(bench, length):
     """Newmark gains energy on nonlinear models, though it is unconditionally stable on linear ones."""
-    newmark = swing(bench, "newmark", 400)
-    figures = [Figure(f"newmark: {len(newmark.warnings)} warning: '{' '.join(newmark.warnings)}'",
+    newmark = swing(bench, "newmark", 1000)
+    figures = [reported(f"newmark: the energy grows to {1 + said(newmark).gained:.1e} times what the blow brought"),
+               Figure(f"newmark: {len(newmark.warnings)} warning: '{' '.join(newmark.warnings)}'",
                       len(newmark.warnings) == 1 and "avf" in newmark.warnings[0] and "implicit-euler" in newmark.warnings[0])]
-    calm = swing(bench, "avf", 400)
+    calm = swing(bench, "avf", 1000)
     return [*figures, Figure(f"avf: {len(calm.warnings)} warnings", not calm.warnings)]
 
 
 ROWS = [
-    Row("newmark_warning", "undamped Newmark, dt omega_max = 26", "ritz-run warns once and names integrators that hold the energy; none for avf",
+    Row("newmark_warning", "undamped Newmark, dt omega_max = 60", "ritz-run warns once and names integrators that hold the energy; none for avf",
         warning),
     Row("million_avf", "1e6 undamped steps, avf", "the energy stays to 1e-6", avf, seconds=60),
     *(Row(f"million_{name.replace('-', '_')}", f"1e6 undamped steps, {name}", "the drift is printed; no energy from nowhere without a warning",

@@ -26,20 +26,20 @@ def pull(force, step, steps, integrator, ramp=None):
 
 @dataclass(frozen=True)
 class Said:
-    """What ritz-run printed of an undamped motion. Energies in J."""
+    """What ritz-run printed of an undamped motion."""
     rejected: int
-    gained: float
+    gained: float  # relative to what there was at the beginning and what the load brought
     lost: float
-    largest: float
 
     @property
     def drift(self):
-        return max(self.gained, self.lost) / self.largest
+        return max(self.gained, self.lost)
 
 
 def said(ran):
     steps = re.search(r"(\d+) steps rejected", ran.out)
-    energy = re.search(r"at most (\S+) J gained and (\S+) J lost .* being (\S+) J", ran.out)
+    energy = re.search(r"at most (\S+) J gained and (\S+) J lost; .* at most (\S+) J", ran.out)
     if not steps or not energy:
         raise Broken(f"ritz-run printed no energy balance: {ran.out}")
-    return Said(int(steps.group(1)), *(float(number) for number in energy.groups()))
+    gained, lost, brought = map(float, energy.groups())
+    return Said(int(steps.group(1)), gained / brought, lost / brought)

@@ -18,13 +18,13 @@ def refused(bench, ran, before, code=None):
     return Figure(text + "".join(f", but {w}" for w in wrong), not wrong)
 
 
-def finite_or_refused(bench, what, program, words, motion, dataset):
-    """Runs; `motion` is the file to be written, whose dataset must be finite."""
+def finite_or_failed(bench, what, program, words, motion, dataset):
+    """A run that may fail by its numerics, not by its input; `motion` is the file whose dataset must be finite."""
     before = bench.files() - {motion}
     (bench.folder / motion).unlink(missing_ok=True)
     ran = bench.run(program, *words, code=None)
     if ran.code == 0:
         seen = finite(what, bench.read(motion, dataset))
         return Figure("converged, " + seen.text, seen.holds)
-    seen = refused(bench, ran, before)
+    seen = refused(bench, ran, before, code=1)
     return Figure(f"{what}: {seen.text}", seen.holds)

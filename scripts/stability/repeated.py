@@ -89,7 +89,7 @@ def cube(bench, length):
 
 
 def sphere(bench, length):
-    bench.write("sphere.geo", SPHERE.format(size=.4 if length is Length.full else .55))
+    bench.write("sphere.geo", SPHERE.format(size=.22))
     meshed = subprocess.run(["gmsh", "-3", "sphere.geo", "-o", "sphere.msh"], cwd=bench.folder, capture_output=True, text=True)
     if meshed.returncode != 0:
         raise Broken(f"gmsh: {meshed.stderr or meshed.stdout}")

@@ -43,9 +43,9 @@ class Result:
     @property
     def verdict(self):
         gated = [figure.holds for figure in self.figures if figure.holds is not None]
-        if not gated:
+        if self.figures and not gated:
             return Verdict.reported
-        return Verdict.holds if all(gated) else Verdict.fails
+        return Verdict.holds if gated and all(gated) else Verdict.fails
 
     @property
     def observed(self):
