@@ -9,6 +9,7 @@
 #include "ritz/app/resources.hpp"
 #include "ritz/app/warnings.hpp"
 #include "ritz/app/write_model.hpp"
+#include "ritz/base/counted.hpp"
 #include "ritz/scene/frames.hpp"
 
 namespace ritz::app {
@@ -23,7 +24,7 @@ FullPlan plan(const scene::Scene& scene, std::vector<double> times, const std::v
 }
 
 std::string inside_out(std::int64_t cells) {
-  return cells == 0 ? "" : "\n" + std::to_string(cells) + " cells are inside out at the end";
+  return cells == 0 ? "" : "\n" + counted(cells, "cell is", "cells are") + " inside out at the end";
 }
 
 /// What takes the states, and where it is told how far the run is.

@@ -63,6 +63,7 @@ NonlinearWorkspace<Scalar> make_workspace(const NonlinearModel<Scalar>& model, c
                                        .correction = none,
                                        .begin = none,
                                        .end = none,
+                                       .from = none,
                                        .before = {Matrix<Scalar>::Zero(r, history_size(method.history)), 0}};
   if (method.rule == ForceRule::explicit_step) workspace.stable_dt = longest_stable(model);
   refuse_unstable(dt, workspace.stable_dt);
@@ -80,11 +81,13 @@ NonlinearOutcome step(const NonlinearModel<Scalar>& model, NonlinearState<Scalar
   while (at < 1) {
     workspace.begin = (1 - at) * load.begin + at * load.end;
     workspace.end = (1 - at - width) * load.begin + (at + width) * load.end;
+    workspace.from = state.z();
     const auto part = attempt<Scalar>(model, state, {workspace.begin, workspace.end}, width * dt, workspace);
     outcome.iterations += part.iterations;
     outcome.evaluations += part.evaluations;
     outcome.status = state.history.allFinite() ? part.status : Status::not_finite;
     if (outcome.status == Status::done) {
+      outcome.work += static_cast<double>((workspace.begin + workspace.end).dot(state.z() - workspace.from)) / 2;
       at += width;
       if (width < 1 && std::fmod(at, 2 * width) == 0) width *= 2;
       continue;

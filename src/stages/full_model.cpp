@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "ritz/fem/dispatch.hpp"
-#include "ritz/fem/strain.hpp"
+#include "ritz/fem/geometry.hpp"
 #include "ritz/mesh/halo.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/stages/internal_force.hpp"
@@ -24,16 +24,6 @@ fem::Coordinates<E> displaced(const mesh::Mesh& mesh, int cell, const petsc::Tal
   for (int a = 0; a < E::vertices; ++a)
     u.col(a) = local.col(0).template segment<3>(3 * vertices[static_cast<std::size_t>(a)]);
   return u;
-}
-
-template <class E>
-bool is_inverted(const mesh::Mesh& mesh, int cell, const petsc::Tall& local) {
-  const fem::Coordinates<E> x = fem::relative<E>(mesh.corners(cell)),
-                            u = fem::relative<E>(displaced<E>(mesh, cell, local));
-  return std::any_of(E::rule.begin(), E::rule.end(), [&](const auto& sample) {
-    const fem::Matrix<3, 3> G = u * fem::physical_gradients<E>(x, sample).gradients;
-    return (fem::Matrix<3, 3>::Identity() + G).determinant() <= 0;
-  });
 }
 
 petsc::Tall local_vertices(const FullModel& model, const petsc::Tall& u) {
@@ -89,8 +79,9 @@ std::int64_t inverted_cells(const FullModel& model, const petsc::Tall& u) {
   const petsc::Tall local = local_vertices(model, u);
   std::int64_t inverted = 0;
   for (int c = 0; c < mesh.cells.owned; ++c)
-    inverted += fem::visit(mesh.cells.types[static_cast<std::size_t>(c)],
-                           [&]<class E>(E) { return is_inverted<E>(mesh, c, local); });
+    inverted += fem::visit(mesh.cells.types[static_cast<std::size_t>(c)], [&]<class E>(E) {
+      return fem::turned_inside_out<E>(mesh.corners(c), displaced<E>(mesh, c, local));
+    });
   return parallel::sum(mesh.comm, inverted);
 }
 

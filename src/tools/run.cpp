@@ -6,6 +6,8 @@
 #include <numeric>
 #include <ostream>
 
+#include "inside_out.hpp"
+#include "ritz/base/counted.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/format/parts.hpp"
 #include "ritz/scene/scene.hpp"
@@ -78,6 +80,9 @@ void run_scene(const RunOptions& options, const format::ModelReader& in, std::os
   if (options.voice == Voice::quiet) return;
   say_cost(cost, scene, body, out);
   out << frame_states.size() << " frames in " << options.output.string() << '\n';
+  if (!cost.balance.empty()) out << cost.balance << '\n';
+  if (const auto cells = inside_out(body.geometry, recorder.latest()); cells > 0)
+    out << counted(cells, "cell is", "cells are") << " inside out at the end\n";
 }
 
 void animate(const RunOptions& options, const format::ModelReader& in, std::ostream& out) {

@@ -17,6 +17,7 @@ struct Cost {
   double seconds = 0;
   std::int64_t iterations = 0;  ///< Newton's, of nonlinear models
   std::int64_t rejected = 0;    ///< steps that did not converge and were halved
+  std::string balance = {};     ///< of the energy, a line; of undamped nonlinear motions
   std::string warning = {};     ///< a sentence, or nothing
 };
 

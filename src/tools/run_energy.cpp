@@ -17,10 +17,21 @@ void EnergyWatch::add_work(double work) {
 }
 
 void EnergyWatch::look(double t, double energy) {
+  const double more = energy - begin_ - work_;
+  gained_ = std::max(gained_, more);
+  lost_ = std::max(lost_, -more);
   if (scale_ <= 0) return;
-  const double gain = (energy - begin_ - work_) / scale_;
+  const double gain = more / scale_;
   if (worst_ <= gate && gain > gate) time_ = t;
   worst_ = std::max(worst_, gain);
+}
+
+std::string EnergyWatch::balance() const {
+  std::ostringstream text;
+  text.precision(3);
+  text << "energy balance of E - E0 - W: at most " << gained_ << " J gained and " << lost_ << " J lost; E0 + W at most "
+       << scale_ << " J";
+  return text.str();
 }
 
 std::string EnergyWatch::warning(const std::string& integrator) const {

@@ -14,11 +14,15 @@ class EnergyWatch {
   /// The energy at time t, J.
   void look(double t, double energy);
 
+  /// A line: the most that was gained and lost without work, and what there was to gain or lose, J.
+  std::string balance() const;
+
   /// A sentence that names integrators which hold the energy, if it grew by more than a tenth; else nothing.
   std::string warning(const std::string& integrator) const;
 
  private:
   double begin_, scale_, work_ = 0;
+  double gained_ = 0, lost_ = 0;
   double worst_ = 0, time_ = 0;  ///< the largest gain as a fraction, and when it was first above the gate
 };
 

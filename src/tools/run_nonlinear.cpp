@@ -58,21 +58,20 @@ void advance(const scene::Time& time, const ReducedLoad& load, const scene::Scen
              Cost& cost) {
   Eigen::VectorXd force(model.size());
   load.evaluate(scene, 0, force);
-  runtime::Vector<Scalar> begin = force.cast<Scalar>(), end = begin, before = state.z();
+  runtime::Vector<Scalar> begin = force.cast<Scalar>(), end = begin;
   const std::int64_t every = std::max<std::int64_t>(1, cost.steps / looks);
   for (std::int64_t n = 1; n <= cost.steps; ++n) {
     const auto started = Clock::now();
     const double t = static_cast<double>(n) * time.step;
     load.evaluate(scene, t, force);
     end = force.cast<Scalar>();
-    before = state.z();
     const auto outcome = runtime::step<Scalar>(model, state, {begin, end}, Scalar(time.step), workspace);
     cost.seconds += seconds_since(started);
     cost.iterations += outcome.iterations;
     cost.rejected += outcome.rejected;
     if (outcome.status != runtime::Status::done)
       throw NumericalError("step " + std::to_string(n) + ", t = " + std::to_string(t) + " s, " + why(outcome.status));
-    watch.add_work(static_cast<double>((begin + end).dot(state.z() - before)) / 2);
+    watch.add_work(outcome.work);
     if (n % every == 0) watch.look(t, runtime::energy(model, state, workspace.at_point));
     begin.swap(end);
     recorder.record(t, state.z().template cast<double>().eval());
@@ -96,7 +95,9 @@ Cost transient(const scene::Scene& scene, const scene::Time& time, const model::
   EnergyWatch watch(0);
   recorder.record(0, rest.template cast<double>().eval());
   advance(time, load, scene, model, state, workspace, recorder, line, watch, cost);
-  if (undamped(scene.damping)) cost.warning = watch.warning(std::string(rule.name));
+  if (!undamped(scene.damping)) return cost;
+  cost.balance = watch.balance();
+  cost.warning = watch.warning(std::string(rule.name));
   return cost;
 }
 

@@ -19,6 +19,7 @@ void Recorder::add_probes(const std::vector<scene::Probe>& probes, Eigen::Matrix
 }
 
 void Recorder::record(double t, Eigen::Ref<const Eigen::VectorXd> z) {
+  z_ = z;
   motion_.state(t, z);
   if (probes_) probes_->row(t, z);
   const auto state = state_++;
@@ -26,6 +27,11 @@ void Recorder::record(double t, Eigen::Ref<const Eigen::VectorXd> z) {
   runtime::reconstruct(body_.basis, z, displacement_);
   motion_.frame(displacement_);
   ++next_frame_;
+}
+
+const model::Points& Recorder::latest() {
+  if (displacement_.rows() > 0) runtime::reconstruct(body_.basis, z_, displacement_);
+  return displacement_;
 }
 
 void Recorder::commit() {

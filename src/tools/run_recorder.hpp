@@ -21,6 +21,9 @@ class Recorder {
 
   void record(double t, Eigen::Ref<const Eigen::VectorXd> z);
 
+  /// The displacements of the latest state, n x 3, m; of a body without vertices 0 x 3.
+  const model::Points& latest();
+
   /// Gives all files their names.
   void commit();
 
@@ -32,6 +35,7 @@ class Recorder {
   std::vector<std::int64_t> frame_states_;
   std::size_t next_frame_ = 0;
   std::int64_t state_ = 0;
+  Eigen::VectorXd z_;  ///< the latest state
   model::Points displacement_;
 };
 

@@ -39,6 +39,17 @@ TYPED_TEST(Geometry, MirroredCellIsInverted) {
   EXPECT_LT(volume<TypeParam>(x), 0);
 }
 
+TYPED_TEST(Geometry, ADisplacementThatMirrorsTurnsInsideOut) {
+  using E = TypeParam;
+  const auto x = curved_cell<E>(5);
+  const auto mapped = [&](const Matrix<3, 3>& A) { return turned_inside_out<E>(x, A * x - x); };
+  const Matrix<3, 3> turn = Eigen::AngleAxisd(3, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  EXPECT_FALSE(mapped(turn));
+  EXPECT_FALSE(mapped(Eigen::Vector3d(1, 1, 1e-3).asDiagonal()));
+  EXPECT_TRUE(mapped(Eigen::Vector3d(1, 1, -1e-3).asDiagonal()));
+  EXPECT_TRUE(mapped(turn * Eigen::Vector3d(1, -1, 1).asDiagonal()));
+}
+
 TYPED_TEST(Geometry, LosesNothingFarFromTheOrigin) {
   using E = TypeParam;
   const auto x = rounded<E>(curved_cell<E>(4));

@@ -36,6 +36,18 @@ TEST(Rejection, HalvesMakeTheStepsOfThatLength) {
   EXPECT_NEAR(motion.energy(), begin, 1e-10 * begin);
 }
 
+TEST(Rejection, TheLoadWorksAlongTheHalves) {
+  const NewtonOptions<double> hasty{.iterations = 3};
+  auto motion =
+      test::start(test::random_polynomial(4, 20), nonlinear_avf<double>(), 1.0, VectorXd::Ones(4), 0, {}, hasty);
+  const double begin = motion.energy();
+  const VectorXd first = VectorXd::Zero(4), last = VectorXd::Constant(4, 40);
+  const auto outcome = step(motion.model, motion.state, {first, last}, 1.0, motion.workspace);
+  ASSERT_EQ(outcome.status, Status::done);
+  ASSERT_GT(outcome.rejected, 0);
+  EXPECT_NEAR(motion.energy() - begin, outcome.work, 1e-9 * begin);
+}
+
 TEST(Rejection, LeavesTheStateWhenHalvingDoesNotHelp) {
   const NewtonOptions<double> never{.iterations = 0, .halvings = 3};
   for (const auto& method : test::implicit_methods<double>()) {

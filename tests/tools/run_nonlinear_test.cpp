@@ -124,6 +124,19 @@ TEST(RunNonlinear, WarnsOfEnergyFromNowhere) {
   EXPECT_THAT(test::run(folder.prepare(calm, test::nonlinear_sample_model())), Not(HasSubstr("warning")));
 }
 
+TEST(RunNonlinear, PrintsTheBalanceOfTheEnergyWhereNothingDamps) {
+  EnergyWatch watch(0);
+  watch.add_work(2);
+  watch.look(1, 2.5);
+  watch.look(2, 1.75);
+  EXPECT_EQ(watch.balance(), "energy balance of E - E0 - W: at most 0.5 J gained and 0.25 J lost; E0 + W at most 2 J");
+  const test::RunFolder folder;
+  const std::string scene = "[time]\nstep = 0.1\nend = 1\n" + load(20);
+  EXPECT_THAT(test::run(folder.prepare(scene, test::nonlinear_sample_model())), HasSubstr("energy balance of "));
+  EXPECT_THAT(test::run(folder.prepare(scene + "[damping]\nalpha = 0.1\n", test::nonlinear_sample_model())),
+              Not(HasSubstr("energy balance of ")));
+}
+
 void expect_refusal(const RunOptions& options, const std::string& complaint) {
   try {
     test::run(options);

@@ -34,6 +34,16 @@ double smallest_jacobian(const Coordinates<E>& x) {
   return smallest;
 }
 
+/// Whether displacements u turn the cell inside out: det(I + ∇u) <= 0 at a point of the element's rule.
+template <class E>
+bool turned_inside_out(const Coordinates<E>& x, const Coordinates<E>& u) {
+  const Coordinates<E> origin_first = relative<E>(x), relative_u = relative<E>(u);
+  return std::any_of(E::rule.begin(), E::rule.end(), [&](const auto& sample) {
+    const Matrix<3, 3> G = relative_u * physical_gradients<E>(origin_first, sample).gradients;
+    return (Matrix<3, 3>::Identity() + G).determinant() <= 0;
+  });
+}
+
 /// The shortest distance between two corners joined by an edge, m.
 template <class E>
 double shortest_edge(const Coordinates<E>& x) {

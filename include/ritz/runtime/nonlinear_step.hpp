@@ -28,6 +28,7 @@ struct NonlinearWorkspace {
   Matrix<Scalar> jacobian;
   Factors<Scalar> factors;
   Vector<Scalar> delta, point, residual, correction, begin, end;
+  Vector<Scalar> from;  ///< z where the part of the step begins
   NonlinearState<Scalar> before;
   Scalar stable_dt = std::numeric_limits<Scalar>::infinity();  ///< s, of an explicit method at rest
   Scalar factored_dt = 0;                                      ///< s, whose I + Δt D/2 an explicit method has factored
@@ -43,6 +44,7 @@ struct NonlinearOutcome {
   int iterations = 0;   ///< Newton iterations that solved for a correction, all parts of the step together
   int evaluations = 0;  ///< of forces and tangents; along a step (AVF) two points count as one
   int rejected = 0;     ///< attempts that did not converge, and were halved
+  double work = 0;      ///< of the load, J: Σ δ·(f_n + f_{n+1})/2 over the parts of the step
 };
 
 /// One step of `dt` seconds. An attempt that does not converge or is not finite is rejected and halved, as often as the

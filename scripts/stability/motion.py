@@ -1,0 +1,45 @@
+"""What the moving rows share: a beam reduced for large bending, scenes, and what ritz-run says of a motion."""
+import re
+from dataclasses import dataclass
+
+import numpy as np
+
+from .bench import SOFT, Broken
+
+BEAM = ["-mesh", "box:1,.1,.06/8,2,1/tet10", "-fix", "xmin", *SOFT]
+INTEGRATORS = ("avf", "implicit-euler", "bdf2", "newmark", "generalized-alpha")
+
+
+def reduce_beam(bench, columns=10):
+    """Writes model.h5; its highest angular frequency, rad/s."""
+    bench.reduce(*BEAM, "-modes", 6, "-derivatives", 6, "-basis", columns, "-polynomial", "-quiet")
+    return np.sqrt(bench.body("model.h5", "reduction/stiffness").max())
+
+
+def pull(force, step, steps, integrator, ramp=None):
+    """The beam's end is pulled downwards over `ramp` s, let go over another, and swings without damping."""
+    ramp = ramp or 2 * step
+    return (f'[time]\nstep = {step!r}\nend = {step * steps!r}\nintegrator = "{integrator}"\n'
+            f'[[load]]\nset = "xmax"\ntotal = [0, {force / 3!r}, {-force!r}]\ntable = [[0, 0], [{ramp!r}, 1], [{2 * ramp!r}, 0]]\n'
+            '[[probe]]\nname = "tip"\nset = "xmax"\n')
+
+
+@dataclass(frozen=True)
+class Said:
+    """What ritz-run printed of an undamped motion."""
+    rejected: int
+    gained: float  # relative to what there was at the beginning and what the load brought
+    lost: float
+
+    @property
+    def drift(self):
+        return max(self.gained, self.lost)
+
+
+def said(ran):
+    steps = re.search(r"(\d+) steps rejected", ran.out)
+    energy = re.search(r"at most (\S+) J gained and (\S+) J lost; .* at most (\S+) J", ran.out)
+    if not steps or not energy:
+        raise Broken(f"ritz-run printed no energy balance: {ran.out}")
+    gained, lost, brought = map(float, energy.groups())
+    return Said(int(steps.group(1)), gained / brought, lost / brought)

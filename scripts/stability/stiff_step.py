@@ -1,0 +1,51 @@
+"""A beam bent far and let go, with steps a thousand times longer than its fastest mode takes."""
+import numpy as np
+
+from .bench import SOFT
+from .motion import pull, reduce_beam, said
+from .row import Figure, Length, Row, at_most, finite, reported
+
+SMALL = ["-mesh", "box:1,.1,.06/4,1,1/tet10", "-fix", "xmin", *SOFT, "-quiet"]
+
+
+def reduced(integrator):
+    def run(bench, length):
+        step = 1e3 / reduce_beam(bench)
+        steps = 5000 if length is Length.full else 500
+        scene = bench.write("swing.toml", pull(3., float(step), steps, integrator))
+        seen = said(ran := bench.move("model.h5", "--scene", scene, "--frames", "0"))
+        z = bench.read("motion.h5", "z")
+        tip = np.abs(bench.table("probes.csv")[1][:, 1:]).max()
+        figures = [finite(f"{steps} steps of {step:.2g} s, the tip moves by up to {tip:.2g} m", z),
+                   Figure(f"{seen.rejected} steps rejected", "rejected" in ran.out)]
+        if integrator == "avf":
+            return [*figures, at_most("energy drifts, relative, by", seen.drift, 1e-8)]
+        return [*figures, at_most("energy gained, relative,", seen.gained, 1e-8),
+                reported(f"{seen.lost:.3g} of the energy and work lost")]
+    return run
+
+
+def full(integrator):
+    def run(bench, length):
+        bench.reduce(*SMALL, "-modes", "1000")
+        step = float(1e3 / np.sqrt(bench.body("model.h5", "modes/eigenvalues").max()))
+        steps = 400 if length is Length.full else 40
+        ran = bench.full(*SMALL[:-1], "-scene", bench.write("swing.toml", pull(3., step, steps, integrator)))
+        _, rows = bench.table("energy.csv")
+        drift, brought = rows[:, 5], rows[:, 3].max()
+        figures = [finite(f"{steps} steps of {step:.2g} s", bench.read("full.h5", "snapshots")),
+                   Figure(next(line for line in ran.out.splitlines() if "rejected" in line), True)]
+        if integrator == "avf":
+            return [*figures, at_most("energy drifts, relative, by", np.abs(drift).max() / brought, 1e-8)]
+        return [*figures, at_most("energy gained, relative,", max(0., drift.max()) / brought, 1e-8),
+                reported(f"{-drift.min() / brought:.3g} of the energy and work lost")]
+    return run
+
+
+ASKED = {"avf": "finite; the energy stays to 1e-8; rejected steps counted"}
+ROWS = [Row(f"stiff_step_{name.replace('-', '_')}", f"dt omega_max = 1e3, {name}, reduced to 10 coordinates",
+            ASKED.get(name, "finite; no energy gained; rejected steps counted"), reduced(name))
+        for name in ("avf", "implicit-euler", "bdf2")]
+ROWS += [Row(f"stiff_step_full_{name.replace('-', '_')}", f"dt omega_max = 1e3, {name}, the full model",
+             ASKED.get(name, "finite; no energy gained; rejected steps counted"), full(name), seconds=30)
+         for name in ("avf", "implicit-euler")]
