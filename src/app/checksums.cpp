@@ -1,9 +1,15 @@
 #include "ritz/app/checksums.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cstdio>
+#include <cstring>
+#include <fstream>
 
+#include "ritz/base/error.hpp"
 #include "ritz/base/random.hpp"
+#include "ritz/parallel/comm.hpp"
+#include "ritz/parallel/guard.hpp"
 
 namespace ritz::app {
 namespace {
@@ -14,6 +20,22 @@ std::string hexadecimal(std::uint64_t x) {
   return text;
 }
 
+std::uint64_t hash_of(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw InputError(file.string() + " cannot be read");
+  std::uint64_t h = 0;
+  std::vector<char> bytes(1 << 20);
+  while (in.read(bytes.data(), static_cast<std::streamsize>(bytes.size())), in.gcount() > 0) {
+    std::fill(bytes.begin() + in.gcount(), bytes.end(), '\0');
+    for (std::size_t i = 0; i < bytes.size(); i += 8) {
+      std::uint64_t word = 0;
+      std::memcpy(&word, &bytes[i], sizeof word);
+      h = split_mix(h ^ word);
+    }
+  }
+  return h;
+}
+
 }  // namespace
 
 Checksums checksums(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const std::vector<fem::StVK>& materials) {
@@ -21,6 +43,13 @@ Checksums checksums(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const std::v
   for (const auto& m : materials)
     for (const double x : {m.young, m.poisson, m.density}) h = split_mix(h ^ std::bit_cast<std::uint64_t>(x));
   return {hexadecimal(mesh.checksum), hexadecimal(h)};
+}
+
+std::string file_checksum(MPI_Comm comm, const std::filesystem::path& file) {
+  std::string text;
+  parallel::on_root(comm, [&] { text = hexadecimal(hash_of(file)); });
+  parallel::broadcast(comm, text);
+  return text;
 }
 
 }  // namespace ritz::app

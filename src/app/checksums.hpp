@@ -1,5 +1,8 @@
 // What a model was computed from, as two short words.
 #pragma once
+#include <mpi.h>
+
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -14,5 +17,8 @@ struct Checksums {
 };
 
 Checksums checksums(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const std::vector<fem::StVK>& materials);
+
+/// Of the bytes of a file that rank 0 reads. Throws InputError when it cannot be read. *Collective*.
+std::string file_checksum(MPI_Comm comm, const std::filesystem::path& file);
 
 }  // namespace ritz::app

@@ -1,6 +1,9 @@
 #include "ritz/app/earlier.hpp"
 
+#include <algorithm>
+
 #include "ritz/app/checksums.hpp"
+#include "ritz/app/resolved.hpp"
 #include "ritz/format/contents.hpp"
 #include "ritz/format/parts.hpp"
 #include "ritz/parallel/guard.hpp"
@@ -8,52 +11,111 @@
 namespace ritz::app {
 namespace {
 
+/// What decides whether an earlier model fits.
+struct Wanted {
+  Checksums sums;
+  Options options;
+  config::Solver solver;
+  config::Export exported;
+};
+
 /// Checksums are of whole datasets, so one rank looks at them before all read their shares.
 void verify_all(const std::filesystem::path& path) {
   const format::ModelReader in(path);
   for (const auto& dataset : format::contents(in)) format::verify(in, dataset);
 }
 
-/// Why the model cannot be used; empty where it can.
-std::string obstacle(const format::ModelReader& in, const Checksums& now) {
-  const auto then = format::read_provenance(in);
-  if (then.mesh_checksum != now.mesh) return "it was made from another mesh";
-  if (then.problem_checksum != now.problem) return "its materials or supports are others";
-  if (format::read_reduction(in)) return "it stores the columns of a basis, not modes";
-  if (!format::read_modes(in)) return "it has no modes";
-  if (format::read_geometry(in).rows != model::Rows::all) return "it stores the surface alone";
+/// The options that a basis depends on, as they were given.
+std::string made_with(const Options& options) {
+  std::string text;
+  for (const std::string name : {"modes", "modes_tolerance", "basis_modes", "derivatives", "basis", "basis_tolerance",
+                                 "snapshots", "accuracy", "accuracy_scene"})
+    if (const auto value = value_of(options, name); !value.empty())
+      text += (text.empty() ? "-" : " -") + name + " " + value;
+  return text;
+}
+
+std::string obstacle_of_basis(const Options& then, const Wanted& now) {
+  if (made_with(then) != made_with(now.options)) return "its basis was made with " + made_with(then);
+  if (now.solver != config::Solver::automatic && value_of(then, "solver") != value_of(now.options, "solver"))
+    return "it was made with -solver " + value_of(then, "solver");
+  if (now.exported != config::Export::nothing) return "it stores the columns of a basis, not the modes to export";
   return "";
 }
 
-/// The rows of this rank's vertices of the flexible columns.
-petsc::Tall read_rows(const format::ModelReader& in, const mesh::Mesh& mesh, const mesh::Dofs& dofs) {
-  const auto modes = *format::read_modes(in);
+/// Why the model cannot be used; empty where it can.
+std::string obstacle(const format::ModelReader& in, const Wanted& now) {
+  const auto then = format::read_provenance(in);
+  if (then.mesh_checksum != now.sums.mesh) return "it was made from another mesh";
+  if (then.problem_checksum != now.sums.problem) return "its materials or supports are others";
+  if (!format::read_modes(in)) return "it has no modes";
+  if (format::read_geometry(in).rows != model::Rows::all) return "it stores the surface alone";
+  return format::read_reduction(in) ? obstacle_of_basis(then.options, now) : "";
+}
+
+/// The rows of this rank's vertices of these columns.
+petsc::Tall read_rows(const format::ModelReader& in, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
+                      std::optional<std::vector<format::Index>> columns) {
   format::BasisSelection selection;
-  selection.columns.emplace();
-  for (std::size_t i = 0; i < modes.kinds.size(); ++i)
-    if (modes.kinds[i] == model::ModeKind::flexible) selection.columns->push_back(static_cast<format::Index>(i));
+  selection.columns = std::move(columns);
   selection.vertices.emplace(mesh.file_positions.begin(), mesh.file_positions.begin() + mesh.owned);
   const petsc::Tall u = format::read_basis(in, selection).U;
   return mesh::from_vertices(mesh, dofs, u);
 }
 
+std::vector<format::Index> flexible(const model::Modes& modes) {
+  std::vector<format::Index> columns;
+  for (std::size_t i = 0; i < modes.kinds.size(); ++i)
+    if (modes.kinds[i] == model::ModeKind::flexible) columns.push_back(static_cast<format::Index>(i));
+  return columns;
+}
+
+/// What the report says of the basis and its witness.
+stages::Figures figures_of_basis(const stages::Figures& figures) {
+  stages::Figures chosen;
+  for (const auto& figure : figures)
+    for (const char* start : {"derivative", "basis_", "accuracy_", "witness_taylor"})
+      if (figure.first.starts_with(start)) chosen.push_back(figure);
+  return chosen;
+}
+
+FinishedBasis read_finished(const format::ModelReader& in, const mesh::Mesh& mesh, const mesh::Dofs& dofs) {
+  FinishedBasis basis;
+  const auto figures = format::read_report(in).figures;
+  basis.modes.modes = *format::read_modes(in);
+  basis.modes.vectors.resize(dofs.owned, 0);
+  basis.modes.strategy = value_of(format::read_provenance(in).options, "solver") == "iterative"
+                             ? stages::Strategy::iterative
+                             : stages::Strategy::direct;
+  const auto iterations = std::ranges::find(figures, "eigensolver_iterations", &stages::Figures::value_type::first);
+  if (iterations != figures.end()) basis.modes.iterations = static_cast<int>(iterations->second);
+  basis.reduced = {read_rows(in, mesh, dofs, {}), format::read_reduction(in), figures_of_basis(figures)};
+  return basis;
+}
+
 }  // namespace
 
-petsc::Tall modes_to_reuse(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
-                           const std::vector<fem::StVK>& materials, Progress& progress) {
-  petsc::Tall known(dofs.owned, 0);
-  if (!config.reuse) return known;
-  const Checksums now = checksums(mesh, dofs, materials);
+Earlier reuse(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
+              const std::vector<fem::StVK>& materials, const stages::ModesOptions& options, Progress& progress) {
+  Earlier earlier{petsc::Tall(dofs.owned, 0), {}};
+  if (!config.reuse) return earlier;
+  const Wanted now{checksums(mesh, dofs, materials), resolved(config, mesh, options.strategy), config.solver,
+                   config.exported};
   std::string why_not;
   parallel::on_root(mesh.comm, [&] { verify_all(*config.reuse); });
   parallel::together(mesh.comm, [&] {
     const format::ModelReader in(*config.reuse);
     why_not = obstacle(in, now);
-    if (why_not.empty()) known = read_rows(in, mesh, dofs);
+    if (!why_not.empty()) return;
+    if (format::read_reduction(in)) earlier.basis = read_finished(in, mesh, dofs);
+    else earlier.modes = read_rows(in, mesh, dofs, flexible(*format::read_modes(in)));
   });
-  if (why_not.empty()) progress.line("reusing " + std::to_string(known.cols()) + " modes of " + config.reuse->string());
-  else progress.warn("nothing is reused of " + config.reuse->string() + ": " + why_not);
-  return known;
+  const std::string model = config.reuse->string();
+  if (!why_not.empty()) progress.warn("nothing is reused of " + model + ": " + why_not);
+  else if (earlier.basis)
+    progress.line("reusing the basis of " + std::to_string(earlier.basis->reduced.U.cols()) + " columns of " + model);
+  else progress.line("reusing " + std::to_string(earlier.modes.cols()) + " modes of " + model);
+  return earlier;
 }
 
 }  // namespace ritz::app

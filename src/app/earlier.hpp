@@ -1,16 +1,30 @@
-// -reuse: modes of an earlier run of the same problem.
+// -reuse: what an earlier run of the same problem gives to this one.
 #pragma once
+#include <optional>
+
 #include "ritz/app/progress.hpp"
+#include "ritz/app/reduce.hpp"
 #include "ritz/config/config.hpp"
 #include "ritz/mesh/dofs.hpp"
 #include "ritz/petsc/multivector.hpp"
 
 namespace ritz::app {
 
-/// The flexible modes of the model that -reuse names, over free degrees of freedom, where its mesh, materials and
-/// supports have the same checksums; no columns otherwise, with a warning that says why. Throws InputError for a file
-/// that is no model. *Collective*.
-petsc::Tall modes_to_reuse(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
-                           const std::vector<fem::StVK>& materials, Progress& progress);
+/// A basis as it stands in a model, and the figures of the modes that it was made from, whose vectors are not stored.
+struct FinishedBasis {
+  stages::ModesResult modes;
+  ReducedBasis reduced;
+};
+
+struct Earlier {
+  petsc::Tall modes;  ///< flexible modes to begin with, over free degrees of freedom; or no columns
+  std::optional<FinishedBasis> basis;
+};
+
+/// What the model that -reuse names gives, where its mesh, materials and supports have the same checksums: its modes
+/// where it is linear; its basis where the options that made it are those of this run. Nothing otherwise, with a
+/// warning that says why. Throws InputError for a file that is no model. *Collective*.
+Earlier reuse(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
+              const std::vector<fem::StVK>& materials, const stages::ModesOptions& options, Progress& progress);
 
 }  // namespace ritz::app

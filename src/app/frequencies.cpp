@@ -55,18 +55,23 @@ std::string summary(const model::Modes& modes, const model::Inertia& inertia) {
       formatted("mass %.6g kg, centre of mass (%.6g, %.6g, %.6g) m\n", mass, centre.x(), centre.y(), centre.z());
   text += formatted("inertia about it (xx yy zz xy yz zx): %.5g %.5g %.5g %.5g %.5g %.5g kg m2\n", tensor(0, 0),
                     tensor(1, 1), tensor(2, 2), tensor(0, 1), tensor(1, 2), tensor(2, 0));
-  text += "  mode  kind       frequency Hz    residual   effective mass x      y      z\n";
+  const bool moving = masses.rows() == modes.eigenvalues.size();
+  text += "  mode  kind       frequency Hz    residual";
+  text += moving ? "   effective mass x      y      z\n" : "\n";
   const auto shown = std::min(most_rows, modes.eigenvalues.size());
-  for (Eigen::Index i = 0; i < shown; ++i)
-    text +=
-        formatted("%6td  %-8s %14.7g  %10.2e          %6.2f %% %6.2f %6.2f\n", i + 1,
-                  word(modes.kinds[static_cast<std::size_t>(i)]), frequency(modes.eigenvalues[i]), modes.residuals[i],
-                  100 * masses(i, 0) / mass, 100 * masses(i, 1) / mass, 100 * masses(i, 2) / mass);
+  for (Eigen::Index i = 0; i < shown; ++i) {
+    text += formatted("%6td  %-8s %14.7g  %10.2e", i + 1, word(modes.kinds[static_cast<std::size_t>(i)]),
+                      frequency(modes.eigenvalues[i]), modes.residuals[i]);
+    text += moving ? formatted("          %6.2f %% %6.2f %6.2f\n", 100 * masses(i, 0) / mass, 100 * masses(i, 1) / mass,
+                               100 * masses(i, 2) / mass)
+                   : "\n";
+  }
   if (shown < modes.eigenvalues.size())
     text += formatted("  ... %td more in frequencies.csv\n", modes.eigenvalues.size() - shown);
-  text +=
-      formatted("   all                                          %6.2f %% %6.2f %6.2f\n",
-                100 * masses.col(0).sum() / mass, 100 * masses.col(1).sum() / mass, 100 * masses.col(2).sum() / mass);
+  if (moving)
+    text +=
+        formatted("   all                                          %6.2f %% %6.2f %6.2f\n",
+                  100 * masses.col(0).sum() / mass, 100 * masses.col(1).sum() / mass, 100 * masses.col(2).sum() / mass);
   const auto& c = modes.certificate;
   if (c.kind == model::Certified::inertia)
     text +=

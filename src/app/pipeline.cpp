@@ -41,15 +41,16 @@ void reduce(MPI_Comm comm, const config::Config& config) {
   const auto options = choose_strategy(config, dofs);
   if (config.goal == config::Goal::plan) return print_plan(config, mesh, dofs, full, options, progress);
 
-  const auto path = static_path(config, scene, mesh, dofs, full, progress);
-  const auto earlier = modes_to_reuse(config, mesh, dofs, materials, progress);
-  const auto modes = progress.stage("modes", [&] {
-    return stages::linear_modes(mesh, dofs, full, options, earlier,
+  auto earlier = reuse(config, mesh, dofs, materials, options, progress);
+  const auto path = earlier.basis ? std::nullopt : static_path(config, scene, mesh, dofs, full, progress);
+  const auto modes = earlier.basis ? earlier.basis->modes : progress.stage("modes", [&] {
+    return stages::linear_modes(mesh, dofs, full, options, earlier.modes,
                                 [&](const std::string& what, double fraction) { progress.update(what, fraction); });
   });
   for (const auto& text : modes.notes) progress.warn(text);
 
-  const auto reduced = reduce_basis(config, mesh, dofs, full, modes, path, progress);
+  const auto reduced =
+      earlier.basis ? std::move(earlier.basis->reduced) : reduce_basis(config, mesh, dofs, full, modes, path, progress);
   const auto u = mesh::to_vertices(mesh, dofs, reduced.U);
   const auto polynomial = reduce_forces(config, mesh, dofs, full, u, progress);
   const auto inertia = progress.stage("inertia", [&] { return stages::inertia(mesh, full.scalar_mass, u); });

@@ -6,6 +6,7 @@
 #include "ritz/app/checksums.hpp"
 #include "ritz/app/frequencies.hpp"
 #include "ritz/app/pending_file.hpp"
+#include "ritz/app/resolved.hpp"
 #include "ritz/app/resources.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/base/version.hpp"
@@ -36,19 +37,6 @@ class ParallelAccess {
  private:
   hid_t file_, transfer_;
 };
-
-/// The options as they came out: the solver that was chosen, and what -fix stands for where it is left out.
-std::vector<std::pair<std::string, std::string>> resolved(const config::Config& config, const mesh::Mesh& mesh,
-                                                          stages::Strategy strategy) {
-  auto options = config.resolved;
-  for (auto& [name, value] : options)
-    if (name == "solver") value = strategy == stages::Strategy::direct ? "direct" : "iterative";
-  if (config.file_supports == mesh::FileSupports::used) {
-    const bool held = parallel::max(mesh.comm, static_cast<std::int32_t>(!mesh.supports.empty())) > 0;
-    options.emplace_back("fix", held ? "the mesh file's own" : "none");
-  }
-  return options;
-}
 
 model::Provenance provenance(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
                              const std::vector<fem::StVK>& materials, stages::Strategy strategy) {

@@ -73,8 +73,9 @@ struct Config {
 /// these. Throws InputError on all ranks alike. *Collective*.
 Config read_config(MPI_Comm comm, Program program = Program::reduce);
 
-/// The material of each region in SI: -material_REGION_* over -material_* over the mesh file's own. Throws InputError
-/// for a region without a complete or with an impossible material, and for a region that does not exist.
+/// The material of each region in SI: -material_REGION_* over -material_* over the mesh file's own; '_' may stand for a
+/// blank in REGION. Throws InputError for a region without a complete or with an impossible material, and for a region
+/// that does not exist or that cannot be told from another.
 std::vector<fem::StVK> region_materials(const Config& config, const std::vector<mesh::Region>& regions);
 
 }  // namespace ritz::config

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "ritz/base/error.hpp"
@@ -13,22 +14,42 @@ std::string shown(double x) {
   return text;
 }
 
-void refuse_unknown_regions(const Config& config, const std::vector<mesh::Region>& regions) {
-  std::vector<std::string> names;
-  for (const auto& region : regions) names.push_back(region.name);
-  for (const auto& [name, material] : config.by_region) {
-    bool known = false;
-    for (const auto& region : names) known = known || edit_distance(region, name) == 0;
-    if (!known)
-      throw InputError("option -material_" + name + "_...: the mesh has no region '" + name + "'; did you mean '" +
-                       nearest(name, names) + "'?");
-  }
+std::string underscored(std::string name) {
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
 }
 
-const MaterialOptions* own_options(const Config& config, const std::string& region) {
-  for (const auto& [name, material] : config.by_region)
-    if (edit_distance(name, region) == 0) return &material;
-  return nullptr;
+std::string option_of(const std::string& region) { return "option -material_" + region + "_...: "; }
+
+/// The region that an option names: by its name, or, where no region is called so, with '_' for its blanks. Names of
+/// options do not mind capitals.
+std::size_t named_region(const std::string& name, const std::vector<std::string>& regions) {
+  std::vector<std::size_t> blank;
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    if (edit_distance(regions[i], name) == 0) return i;
+    if (edit_distance(underscored(regions[i]), name) == 0) blank.push_back(i);
+  }
+  if (blank.size() > 1)
+    throw InputError(option_of(name) + "that may be region '" + regions[blank[0]] + "' or '" + regions[blank[1]] +
+                     "'; write the name with its blanks, in quotes");
+  if (blank.empty())
+    throw InputError(option_of(name) + "the mesh has no region '" + name + "'; did you mean '" +
+                     nearest(name, regions) + "'?");
+  return blank[0];
+}
+
+/// By region: the options of its own, or none.
+std::vector<const MaterialOptions*> own_options(const Config& config, const std::vector<mesh::Region>& regions) {
+  std::vector<std::string> names;
+  for (const auto& region : regions) names.push_back(region.name);
+  std::vector<const MaterialOptions*> own(regions.size(), nullptr);
+  for (const auto& [name, material] : config.by_region) {
+    auto& place = own[named_region(name, names)];
+    if (place)
+      throw InputError(option_of(name) + "another option writes the same region with its blanks; write it one way");
+    place = &material;
+  }
+  return own;
 }
 
 void check(const fem::StVK& m, const std::string& region) {
@@ -43,18 +64,18 @@ void check(const fem::StVK& m, const std::string& region) {
 }  // namespace
 
 std::vector<fem::StVK> region_materials(const Config& config, const std::vector<mesh::Region>& regions) {
-  refuse_unknown_regions(config, regions);
+  const auto options = own_options(config, regions);
   const auto& units = config.source.units;
   std::vector<fem::StVK> materials;
   for (const auto& region : regions) {
-    const MaterialOptions* own = own_options(config, region.name);
+    const MaterialOptions* own = options[materials.size()];
     const auto value = [&](std::optional<double> MaterialOptions::*member, double factor, double fem::StVK::*from,
                            const std::string& word) {
       if (own && own->*member) return *(own->*member) * factor;
       if (config.material.*member) return *(config.material.*member) * factor;
       if (region.material) return *region.material.*from;
       throw InputError("region '" + region.name + "' has no material: give -material_" + word + " or -material_" +
-                       region.name + "_" + word);
+                       underscored(region.name) + "_" + word);
     };
     materials.push_back({value(&MaterialOptions::young, units.pressure(), &fem::StVK::young, "young"),
                          value(&MaterialOptions::poisson, 1, &fem::StVK::poisson, "poisson"),

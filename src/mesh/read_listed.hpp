@@ -34,7 +34,7 @@ constexpr ShapeTraits traits(Shape shape) {
 }
 
 /// Face `face` of a listed solid cell, in the order of fem/cell.hpp.
-struct CellFace {
+struct ListedFace {
   Index cell;
   int face;
 };
@@ -44,7 +44,7 @@ struct ListedSet {
   std::string name;
   std::vector<Index> vertices;
   std::vector<Index> cells;
-  std::vector<CellFace> faces;
+  std::vector<ListedFace> faces;
 };
 
 /// Cells name their vertices by the file's own numbers; sets and supports hold positions.

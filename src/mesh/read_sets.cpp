@@ -12,7 +12,7 @@ FaceCell face_cell(fem::FaceType type, std::span<const Index> vertices) {
   return face;
 }
 
-FaceCell face_of(const ListedMesh& mesh, const CellFace& where) {
+FaceCell face_of(const ListedMesh& mesh, const ListedFace& where) {
   const auto type = *traits(mesh.shapes[static_cast<std::size_t>(where.cell)]).cell;
   const auto cell = mesh.vertices_of(where.cell);
   std::vector<Index> vertices;

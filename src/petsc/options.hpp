@@ -10,8 +10,8 @@
 
 namespace ritz::petsc {
 
-/// Adds an options file (.yml and .yaml: YAML; else PETSc's own form); what is already set wins over it.
-/// Throws InputError. *Collective*.
+/// Adds an options file (.yml and .yaml: YAML; else an option a line, in words and quotes as a shell reads them); what
+/// is already set wins over it. Throws InputError. *Collective*.
 void insert_options_file(MPI_Comm comm, const std::filesystem::path& file);
 
 /// The value of option `name` (with its dash), empty where it stands alone; marks it as read.

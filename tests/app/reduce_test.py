@@ -1,11 +1,13 @@
 """ritz-reduce as a program: what it prints, what it writes, what it takes over from an earlier run."""
 import math
 import re
+import subprocess
 import unittest
 
+import h5py
 import numpy as np
 
-from program import BOX, InAFolder
+from program import BIN, BOX, InAFolder
 
 CLAMPED = [*BOX, "-fix", "xmin"]
 
@@ -23,6 +25,18 @@ HELD = """*NODE
 
 def columns(body):
     return np.stack([body["basis/columns"][name][:] for name in sorted(body["basis/columns"])], axis=-1)
+
+
+def contents(group):
+    """All numbers and texts in a group, by their path."""
+    found = {}
+    for name, item in group.items():
+        if isinstance(item, h5py.Group):
+            found |= {f"{name}/{path}": data for path, data in contents(item).items()}
+            found |= {f"{name}@{key}": value for key, value in item.attrs.items()}
+        else:
+            found[name] = item[()]
+    return found
 
 
 class Files(InAFolder):
@@ -160,6 +174,81 @@ class Reuse(InAFolder):
     def test_says_that_a_surface_is_too_little(self):
         self.reduce(*CLAMPED, "-surface_only", "-output", "old.h5")
         self.assertIn("surface", self.again()[1])
+
+
+class ReuseOfABasis(InAFolder):
+    BASIS = ["-modes", "5", "-derivatives", "3", "-basis", "7"]
+
+    def setUp(self):
+        super().setUp()
+        self.reduce(*CLAMPED, *self.BASIS, "-output", "old.h5", ranks=1)
+
+    def again(self, *words, ranks=1):
+        result = self.reduce(*CLAMPED, "-reuse", "old.h5", *words, ranks=ranks)
+        return result.stdout, result.stderr
+
+    def assert_nothing_reused(self, words, why):
+        out, err = self.again(*words)
+        self.assertNotIn("reusing", out)
+        self.assertEqual(len(err.splitlines()), 1, err)
+        self.assertIn("nothing is reused of old.h5", err)
+        self.assertIn(why, err)
+
+    def figures(self, name):
+        report = self.body(name).file["report"]
+        return dict(zip(report["figure_names"].asstr()[:], report["figure_values"][:]))
+
+    def test_adds_the_polynomial(self):
+        table = (self.folder / "frequencies.csv").read_bytes()
+        out, err = self.again(*self.BASIS, "-polynomial")
+        self.assertEqual(err, "")
+        self.assertIn("reusing the basis of 7 columns of old.h5", out)
+        self.assertIsNone(re.search(r" (modes|basis)  +\d+\.\d+ s$", out, re.M))
+        self.assertIn("certified: ", out)
+        self.assertIn("Taylor slope", out)
+        old, new = self.body("old.h5"), self.body()
+        np.testing.assert_array_equal(columns(new), columns(old))
+        self.assertNotIn("polynomial", old)
+        self.assertIn("polynomial", new)
+        for part in ("modes", "reduction", "inertia"):
+            for name, data in contents(old[part]).items():
+                np.testing.assert_array_equal(contents(new[part])[name], data, f"{part}/{name}")
+        self.assertEqual((self.folder / "frequencies.csv").read_bytes(), table)
+        before, after = self.figures("old.h5"), self.figures("model.h5")
+        for name in ("derivatives_solved", "basis_orthonormality", "witness_taylor_slope", "eigensolver_iterations"):
+            self.assertEqual(after[name], before[name], name)
+        check = subprocess.run([BIN / "ritz-inspect", self.folder / "model.h5", "--check"], capture_output=True)
+        self.assertEqual(check.returncode, 0, check.stdout)
+
+    def test_on_another_number_of_ranks(self):
+        self.assertIn("reusing the basis", self.again(*self.BASIS, ranks=3)[0])
+        np.testing.assert_array_equal(columns(self.body()), columns(self.body("old.h5")))
+
+    def test_of_a_model_that_reused_it(self):
+        self.again(*self.BASIS, "-output", "new.h5")
+        out = self.reduce(*CLAMPED, *self.BASIS, "-reuse", "new.h5", "-polynomial", ranks=1).stdout
+        self.assertIn("reusing the basis of 7 columns of new.h5", out)
+
+    def test_says_why_not(self):
+        made = "-modes 5 -modes_tolerance 1e-10 -derivatives 3 -basis 7"
+        for words in (["-basis", "6"], ["-derivatives", "2"], ["-modes", "6"], ["-basis_modes", "1,2,3"]):
+            with self.subTest(words=words):
+                self.assert_nothing_reused([*self.BASIS, *words], f"its basis was made with {made}")
+        self.assert_nothing_reused([*self.BASIS[:4], "-basis_tolerance", "1e-2"], made)
+        self.assert_nothing_reused([], made)
+        self.assert_nothing_reused([*self.BASIS, "-material_young", "2e6"], "materials or supports")
+        self.assert_nothing_reused([*self.BASIS, "-solver", "iterative"], "-solver direct")
+        self.assert_nothing_reused([*self.BASIS, "-export", "petsc"], "export")
+
+    def test_looks_into_the_file_of_snapshots(self):
+        rows = 3 * self.body("old.h5")["geometry/points"].shape[0]
+        snapshots = ["-snapshots", "s.npy", "-basis", "4"]
+        states = np.random.default_rng(1).random((3, rows))
+        np.save(self.folder / "s.npy", states)
+        self.reduce(*CLAMPED, *snapshots, "-output", "old.h5", ranks=1)
+        self.assertIn("reusing the basis of 4 columns", self.again(*snapshots, "-polynomial")[0])
+        np.save(self.folder / "s.npy", 2 * states)
+        self.assert_nothing_reused(snapshots, "-snapshots s.npy (checksum ")
 
 
 if __name__ == "__main__":

@@ -95,6 +95,34 @@ TEST(Config, ReadsYamlFlatAndNested) {
   }
 }
 
+TEST(Config, ReadsQuotesInFilesAsAShellDoes) {
+  const SharedFolder folder;
+  const auto file = folder.file("a.opts",
+                                "-fix \"left end\",'#2':xy  # held\n"
+                                "-material_'left end'_young 2e6\n-output 'a#b \"c\".h5'\n-quiet # '\n");
+  const Config c = with_box({"-options_file", file, "-scene", "my scene.toml", "-reuse", "old model.h5"});
+  ASSERT_EQ(c.supports.size(), 2);
+  EXPECT_EQ(std::get<std::string>(c.supports[0].where), "left end");
+  EXPECT_EQ(std::get<std::string>(c.supports[1].where), "#2");
+  EXPECT_FALSE(c.supports[1].fixed[2]);
+  ASSERT_TRUE(c.by_region.contains("left end"));
+  EXPECT_EQ(c.by_region.at("left end").young, 2e6);
+  EXPECT_EQ(c.output, "a#b \"c\".h5");
+  EXPECT_EQ(c.voice, Voice::quiet);
+  EXPECT_EQ(c.full.scene, "my scene.toml");  // a file leaves blanks of the command line alone
+  EXPECT_EQ(c.reuse, "old model.h5");
+}
+
+TEST(Config, KeepsBlanksOfAFirstFileUnderASecond) {
+  const SharedFolder folder;
+  const auto first = folder.file("a.yaml", "output: \"my model.h5\"\nmodes: 4\n");
+  const auto second = folder.file("b.opts", "-output other.h5\n-MODES 5\n-modes_block 2\n-modes_block 3\n");
+  const Config c = with_box({"-options_file", first, "-options_file", second});
+  EXPECT_EQ(c.output, "my model.h5");
+  EXPECT_EQ(c.modes.count, 4);
+  EXPECT_EQ(c.modes.block, 3);
+}
+
 TEST(Config, ReadsFilesOfWindows) {
   const SharedFolder folder;
   const Config c = with_box({"-options_file", folder.file("a.opts", "# ours\r\n\r\n-modes 5\r\n-output b.h5\r\n")});
@@ -191,6 +219,9 @@ TEST(Config, RefusesOptionFilesThatItCannotFollow) {
   refuses(one("a.opts", "-modes 5\nmodes 5\n"), "a.opts:2", "'modes'");
   refuses(one("b.opts", "-modes 5 6\n"), "b.opts:1", "'6'");
   refuses(one("c.opts", "-options_file c.opts\n"), "c.opts:1", "another");
+  refuses(one("f.opts", "-fix left end\n"), "f.opts:1", "quotes");
+  refuses(one("g.opts", "\n-fix \"left end\n"), "g.opts:2", "not closed");
+  refuses(one("h.opts", "-quiet -plan\n"), "h.opts:1", "'-plan'");
   refuses(one("d.yaml", "modes: [5\n"), "d.yaml");
   refuses(one("e.yaml", "options_file: a.opts\n"), "e.yaml", "another");
   refuses({"-options_file_yaml", "a.yaml"}, "-options_file_yaml");

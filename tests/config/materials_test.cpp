@@ -58,6 +58,38 @@ TEST(Materials, OfOptionsAreConvertedToSi) {
   EXPECT_NEAR(all[1].density, 7850, 1e-9);
 }
 
+std::vector<fem::StVK> of_regions(std::vector<std::string> names, const std::vector<std::string>& more) {
+  std::vector<mesh::Region> named;
+  for (auto& name : names) named.push_back({std::move(name), std::nullopt});
+  return region_materials(with_box(with(general, more)), named);
+}
+
+TEST(Materials, OfRegionsWithBlanksAreNamedWithUnderscores) {
+  const auto all = of_regions({"left end", "My_big part", "rest"},
+                              {"-material_left_end_young", "2", "-material_my_big_part_young", "3"});
+  EXPECT_EQ(all[0].young, 2);
+  EXPECT_EQ(all[1].young, 3);
+  EXPECT_EQ(all[2].young, 1e6);
+  EXPECT_EQ(of_regions({"left end"}, {"-material_left end_young", "2"})[0].young, 2);
+}
+
+TEST(Materials, OfTheExactNameAreNoOthers) {
+  const auto all = of_regions({"left end", "left_end"}, {"-material_left_end_young", "2"});
+  EXPECT_EQ(all[0].young, 1e6);
+  EXPECT_EQ(all[1].young, 2);
+}
+
+TEST(Materials, MustBeOfOneRegion) {
+  const auto refused = [](const std::vector<std::string>& names, const std::vector<std::string>& words,
+                          const std::string& first, const std::string& second) {
+    EXPECT_THAT([&] { of_regions(names, words); },
+                ThrowsMessage<InputError>(AllOf(HasSubstr(first), HasSubstr(second))));
+  };
+  refused({"a b_c", "a_b c"}, {"-material_a_b_c_young", "2"}, "'a b_c'", "'a_b c'");
+  refused({"a b"}, {"-material_a_b_young", "2", "-material_a b_density", "3"}, "-material_a", "one way");
+  refused({"a b"}, {"-material_a_c_young", "2"}, "'a_c'", "'a b'");
+}
+
 void refuses(const std::vector<std::string>& words, const std::string& first, const std::string& second) {
   EXPECT_THAT([&] { materials(words); }, ThrowsMessage<InputError>(AllOf(HasSubstr(first), HasSubstr(second))));
 }
@@ -76,6 +108,11 @@ TEST(Materials, MustBePossible) {
 }
 
 TEST(Materials, MustBeOfARegionThatExists) {
+  EXPECT_THAT(
+      [] {
+        region_materials(with_box({}), {{"left end", std::nullopt}});
+      },
+      ThrowsMessage<InputError>(HasSubstr("-material_left_end_young")));
   refuses(with(general, {"-material_ruber_young", "1"}), "'ruber'", "'rubber'");
 }
 
