@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import csv
 import os
+import shlex
 import subprocess
 import time
 from dataclasses import dataclass
@@ -43,6 +44,11 @@ def material(young=1e6, poisson=.3, density=1000):
     return ["-material_young", repr(young), "-material_poisson", repr(poisson), "-material_density", repr(density)]
 
 
+def statics(target, load, steps=1):
+    """A scene: `load` on a target such as 'set = "xmax"' or 'vertex = 4', and a probe named tip there."""
+    return f'[static]\nsteps = {steps}\n[[load]]\n{target}\n{load}\n[[probe]]\nname = "tip"\n{target}\n'
+
+
 class Bench:
     def __init__(self, programs, folder, limit=3600):
         self.programs, self.folder, self.limit = Path(programs), Path(folder), limit
@@ -58,7 +64,8 @@ class Bench:
             raise Broken(f"{program} did not end within {self.limit} s") from None
         ran = Ran(program, done.returncode, done.stdout, done.stderr, time.monotonic() - start)
         if code is not None and ran.code != code:
-            raise Broken(f"{program} {' '.join(map(str, words))}: exit code {ran.code}: {ran.sentence or ran.err[-300:]}")
+            raise Broken(f"{shlex.join([program, *map(str, words)])}: exit code {ran.code}: "
+                         f"{ran.sentence or ran.err[-300:]}")
         return ran
 
     def reduce(self, *words, **how):
@@ -73,6 +80,10 @@ class Bench:
     def write(self, name, text):
         (self.folder / name).write_text(text)
         return name
+
+    def tip(self):
+        """The last displacement of the only probe, m."""
+        return self.table("probes.csv")[1][-1, 1:]
 
     def files(self):
         return {path.name for path in self.folder.iterdir()}

@@ -8,8 +8,8 @@ TET = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], float)
 
 
 def write_msh(path, points, cells, regions=None, sets=(), ids=None):
-    """`cells`: rows of vertices; `regions`: a name a cell; `sets`: name -> faces, rows of vertices; `ids`: the vertices'
-    numbers in the file."""
+    """`cells`: rows of vertices; `regions`: a name a cell; `sets`: name -> faces, rows of vertices; `ids`: the numbers
+    of the vertices in the file."""
     ids = np.arange(1, len(points) + 1) if ids is None else ids
     regions = ["body"] * len(cells) if regions is None else regions
     names = {name: (3, i + 1) for i, name in enumerate(dict.fromkeys(regions))}

@@ -20,7 +20,8 @@ def pull(force, step, steps, integrator, ramp=None):
     """The beam's end is pulled downwards over `ramp` s, let go over another, and swings without damping."""
     ramp = ramp or 2 * step
     return (f'[time]\nstep = {step!r}\nend = {step * steps!r}\nintegrator = "{integrator}"\n'
-            f'[[load]]\nset = "xmax"\ntotal = [0, {force / 3!r}, {-force!r}]\ntable = [[0, 0], [{ramp!r}, 1], [{2 * ramp!r}, 0]]\n'
+            f'[[load]]\nset = "xmax"\ntotal = [0, {force / 3!r}, {-force!r}]\n'
+            f'table = [[0, 0], [{ramp!r}, 1], [{2 * ramp!r}, 0]]\n'
             '[[probe]]\nname = "tip"\nset = "xmax"\n')
 
 

@@ -19,8 +19,10 @@ def graded_block(cells):
 
 def tet10(poisson):
     def run(bench, length):
-        write_msh(bench.folder / "block.msh", *quadratic(*graded_block((24, 4, 3) if length is Length.full else (16, 3, 2))))
-        f = bench.frequencies("-mesh", "block.msh", "-fix", "box:-1e-9,1e-9,-1,1,-1,1", *material(poisson=poisson), "-modes", "1")
+        cells = (24, 4, 3) if length is Length.full else (16, 3, 2)
+        write_msh(bench.folder / "block.msh", *quadratic(*graded_block(cells)))
+        f = bench.frequencies("-mesh", "block.msh", "-fix", "box:-1e-9,1e-9,-1,1,-1,1", "-modes", "1",
+                              *material(poisson=poisson))
         return [near("f1 in Hz", f[0], REFERENCE[poisson], .02)]
     return run
 
@@ -28,7 +30,7 @@ def tet10(poisson):
 def linear(bench, length):
     ran = bench.reduce("-mesh", "box:1,.1,.06/12,2,2/tet4", "-fix", "xmin", *material(poisson=.4999), "-modes", "1")
     f = float(bench.modes()[0]["frequency_hz"])
-    return [says(f"f1 = {f:.4g} Hz in place of {REFERENCE[.4999]}, and a warning", "\n".join(ran.warnings), "lock", "tet10")]
+    return [says(f"f1 = {f:.4g} Hz, not {REFERENCE[.4999]}, and a warning", " ".join(ran.warnings), "lock", "tet10")]
 
 
 def impossible(bench, length):
@@ -41,8 +43,8 @@ def impossible(bench, length):
     return figures
 
 
-ROWS = [Row(f"nu_{nu}".replace("0.", ""), f"cantilever, nu = {nu}, Tet10", f"f1 within 2 % of {REFERENCE[nu]} Hz", tet10(nu))
-        for nu in REFERENCE]
+ROWS = [Row(f"nu_{nu}".replace("0.", ""), f"cantilever, nu = {nu}, Tet10", f"f1 within 2 % of {f} Hz", tet10(nu))
+        for nu, f in REFERENCE.items()]
 ROWS += [
     Row("nu_4999_tet4", "the same with nu = .4999, Tet4", "a warning that it locks, which names tet10", linear),
     Row("nu_impossible", "nu = .5, .6, -1, -1.5, not a number", "refused: exit code 2, one sentence", impossible),

@@ -1,4 +1,4 @@
-"""The contract of a run that may fail: done with finite numbers, or one sentence, an exit code and nothing left behind."""
+"""The contract of a run that may fail: finite numbers, or one sentence, an exit code and nothing left behind."""
 from .bench import TRACES
 from .row import Figure, brief, finite
 

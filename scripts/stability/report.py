@@ -20,7 +20,8 @@ code { background: #f3f3f3; padding: .1em .3em; } .number { text-align: right; w
 def text_of(result, width=118):
     """One row for the terminal."""
     head = f"{result.verdict.value.upper():8}  {result.row.name}: {result.row.scene}"
-    lines = [f"asked: {result.row.asked}"] + [("" if f.holds is not False else "NOT MET: ") + f.text for f in result.figures]
+    lines = [f"asked: {result.row.asked}"]
+    lines += [("NOT MET: " if figure.holds is False else "") + figure.text for figure in result.figures]
     wrapped = [textwrap.fill(line, width, initial_indent=" " * 10, subsequent_indent=" " * 12) for line in lines]
     return "\n".join([head, *wrapped])
 
@@ -42,7 +43,8 @@ def html_row(result):
     items = "".join(f'<li{" class=miss" if figure.holds is False else ""}>{html.escape(figure.text)}</li>'
                     for figure in result.figures)
     verdict = result.verdict.value
-    return (f'<tr id="{result.row.name}"><td>{html.escape(result.row.scene)}</td><td>{html.escape(result.row.asked)}</td>'
+    return (f'<tr id="{result.row.name}"><td>{html.escape(result.row.scene)}</td>'
+            f'<td>{html.escape(result.row.asked)}</td>'
             f'<td><ul>{items}</ul></td><td class="verdict {verdict}">{verdict}</td>'
             f'<td class=number>{result.seconds:.0f}</td></tr>')
 
@@ -52,9 +54,9 @@ def write_html(path, results, groups, facts):
     by_row = {result.row.name: result for result in results}
     parts = ["<!doctype html><html lang=en><meta charset=utf-8><title>ritz: the stability report</title>",
              f"<style>{STYLE}</style><h1>The stability report</h1>",
-             "<p>Stiff and extreme scenes, run through the programs. A verdict <b>holds</b> or <b>fails</b> at the gate that is "
-             "asked; <b>reported</b> has no gate.</p>", f"<p><b>{summary(results)}</b></p>",
-             "<table>", *(f"<tr><th>{html.escape(k)}</th><td><code>{html.escape(v)}</code></td></tr>" for k, v in facts.items()),
+             "<p>Stiff and extreme scenes, run through the programs. A row <b>holds</b> or <b>fails</b> at the gate "
+             "that is asked; <b>reported</b> has no gate.</p>", f"<p><b>{summary(results)}</b></p>", "<table>",
+             *(f"<tr><th>{html.escape(k)}</th><td><code>{html.escape(v)}</code></td></tr>" for k, v in facts.items()),
              "</table><table>", "<tr><th>scene<th>asked<th>observed<th>verdict<th>s</tr>"]
     for title, rows in groups.items():
         shown = [html_row(by_row[row.name]) for row in rows if row.name in by_row]

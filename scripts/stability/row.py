@@ -2,9 +2,10 @@
 from __future__ import annotations
 
 import enum
-import math
 from collections.abc import Callable
 from dataclasses import dataclass
+
+import numpy as np
 
 
 class Length(enum.Enum):
@@ -52,6 +53,11 @@ class Result:
         return "; ".join(figure.text for figure in self.figures)
 
 
+def plain(name):
+    """As a row's name."""
+    return name.replace("-", "_")
+
+
 def at_most(what, value, gate):
     """NaN is not at most anything."""
     return Figure(f"{what} {value:.2g} (gate {gate:g})", bool(value <= gate))
@@ -85,6 +91,6 @@ def brief(text, most=220):
 
 def finite(what, values):
     """How many numbers of an array are not finite."""
-    bad = int(sum(not math.isfinite(x) for x in values.ravel()))
-    return Figure(f"{what}: {bad} of {values.size} numbers not finite" if bad else f"{what}: {values.size} numbers, all finite",
-                  bad == 0)
+    bad = int(np.count_nonzero(~np.isfinite(values)))
+    seen = f"{bad} of {values.size} numbers not finite" if bad else f"{values.size} numbers, all finite"
+    return Figure(f"{what}: {seen}", bad == 0)

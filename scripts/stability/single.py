@@ -2,7 +2,7 @@
 import numpy as np
 
 from .motion import pull, reduce_beam
-from .row import Length, Row, at_most, reported
+from .row import Row, at_most, plain, reported
 
 STEPS = 10_000
 
@@ -22,7 +22,8 @@ def compare(integrator, damping, force):
         double, single = trajectories(bench, integrator, force, 5e-3, damping)
         size = np.linalg.norm(double, axis=1).max()
         apart = np.linalg.norm(single - double, axis=1)
-        return [at_most(f"{STEPS} steps of 5 ms, the tip moves by up to {size:.2g} m; at most apart, relative,", apart.max() / size, 1e-4)]
+        return [at_most(f"{STEPS} steps of 5 ms, the tip moves by up to {size:.2g} m; at most apart, relative,",
+                        apart.max() / size, 1e-4)]
     return run
 
 
@@ -35,6 +36,7 @@ def undamped(bench, length):
 
 
 DAMPED = "[damping]\nalpha = 0.2\n"
-ROWS = [Row(f"single_{name.replace('-', '_')}", f"1e4 steps in single precision, {name}", "the tip's path within 1e-4 of double's", compare(name, DAMPED, 1.))
+ROWS = [Row(plain(f"single_{name}"), f"1e4 steps in single precision, {name}", "the tip's path within 1e-4 of double's",
+            compare(name, DAMPED, 1.))
         for name in ("avf", "implicit-euler", "newmark")]
 ROWS.append(Row("single_undamped", "the same without damping, avf", "reported", undamped))

@@ -3,7 +3,7 @@ import numpy as np
 
 from .bench import SOFT
 from .motion import pull, reduce_beam, said
-from .row import Figure, Length, Row, at_most, finite, reported
+from .row import Figure, Length, Row, at_most, finite, plain, reported
 
 SMALL = ["-mesh", "box:1,.1,.06/4,1,1/tet10", "-fix", "xmin", *SOFT, "-quiet"]
 
@@ -43,9 +43,9 @@ def full(integrator):
 
 
 ASKED = {"avf": "finite; the energy stays to 1e-8; rejected steps counted"}
-ROWS = [Row(f"stiff_step_{name.replace('-', '_')}", f"dt omega_max = 1e3, {name}, reduced to 10 coordinates",
+ROWS = [Row(plain(f"stiff_step_{name}"), f"dt omega_max = 1e3, {name}, reduced to 10 coordinates",
             ASKED.get(name, "finite; no energy gained; rejected steps counted"), reduced(name))
         for name in ("avf", "implicit-euler", "bdf2")]
-ROWS += [Row(f"stiff_step_full_{name.replace('-', '_')}", f"dt omega_max = 1e3, {name}, the full model",
+ROWS += [Row(plain(f"stiff_step_full_{name}"), f"dt omega_max = 1e3, {name}, the full model",
              ASKED.get(name, "finite; no energy gained; rejected steps counted"), full(name), seconds=30)
          for name in ("avf", "implicit-euler")]

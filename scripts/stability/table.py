@@ -1,6 +1,6 @@
 """All rows, in the order of the report."""
-from . import (compression, contrast, degenerate, huge_loads, long_runs, near_incompressible, repeated, single, slender, slivers,
-               stiff_step, twist, units)
+from . import (compression, contrast, degenerate, huge_loads, long_runs, near_incompressible, repeated, single, slender,
+               slivers, stiff_step, twist, units)
 
 GROUPS = {
     "Nearly incompressible": near_incompressible,

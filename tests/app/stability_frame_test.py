@@ -27,8 +27,10 @@ class Frame(InAFolder):
         return run_row(row(*figures), BIN, Length.short)
 
     def test_figures_can_fail(self):
-        for good, bad in ((at_most("x", 1, 1), at_most("x", 1.01, 1)), (near("x", 1.01, 1, .02), near("x", .97, 1, .02)),
-                          (equal("x", 2, 2), equal("x", 2, 3)), (says("x", "a warning", "warn"), says("x", "a warning", "tet10")),
+        for good, bad in ((at_most("x", 1, 1), at_most("x", 1.01, 1)),
+                          (near("x", 1.01, 1, .02), near("x", .97, 1, .02)),
+                          (equal("x", 2, 2), equal("x", 2, 3)),
+                          (says("x", "a warning", "warn"), says("x", "a warning", "tet10")),
                           (finite("x", np.zeros(3)), finite("x", np.array([0, np.inf, 0])))):
             self.assertTrue(good.holds, good)
             self.assertIs(bad.holds, False, bad)
@@ -76,7 +78,8 @@ class Frame(InAFolder):
 
     def test_the_program(self):
         def stability(*words):
-            return subprocess.run([sys.executable, SCRIPTS / "stability.py", *words], cwd=self.folder, capture_output=True, text=True)
+            return subprocess.run([sys.executable, SCRIPTS / "stability.py", *words], cwd=self.folder,
+                                  capture_output=True, text=True)
         names = stability("--list").stdout.split()
         self.assertEqual(names, [row.name for row in table.ROWS])
         self.assertEqual(len(names), len(set(names)))
@@ -84,7 +87,8 @@ class Frame(InAFolder):
         done = stability("--rows", "nothing_free", "--length", "short", "--out", "report")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("1 holds, 0 fails", done.stdout)
-        self.assertEqual({path.name for path in (self.folder / "report").iterdir()}, {"stability.csv", "stability.html"})
+        written = {path.name for path in (self.folder / "report").iterdir()}
+        self.assertEqual(written, {"stability.csv", "stability.html"})
 
 
 if __name__ == "__main__":
