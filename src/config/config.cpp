@@ -127,7 +127,6 @@ void read_basis(Database& options, Config& config) {
   if (basis.derivatives > config.modes.count)
     throw InputError("option -derivatives " + std::to_string(basis.derivatives) + " asks for more modes than -modes " +
                      std::to_string(config.modes.count) + "; raise -modes");
-  if (basis.derivatives > 0) config.modes.inverse = stages::InverseUse::kept;
   if (basis.derivatives > 0 || by_size || by_tolerance || !basis.modes.empty() || config.snapshots ||
       config.forces == ReducedForces::polynomial)
     config.basis = basis;
@@ -165,6 +164,8 @@ Config read_config(MPI_Comm comm, Program program) {
   config.modes.block = options.integer("modes_block", 4, 1, 64);
   config.modes.tolerance = options.real("modes_tolerance", 1e-10, 1e-14, 1e-2);
   read_basis(options, config);
+  if (program == Program::reduce && config.basis && config.basis->derivatives > 0)
+    config.modes.inverse = stages::InverseUse::kept;
   const auto solvers = solver_options_given();
   refuse_foreign_options(solvers);
   config.modes.slepc = std::any_of(solvers.begin(), solvers.end(), [](const auto& o) { return is_slepc(o.first); });
