@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Error against run time: installs what is missing, builds the programs, runs the scenes of scripts/report/scenes.py with
-# the methods of scripts/report/methods.py, and writes report/: runs.csv, index.html and its pictures as PNG. Interrupted,
-# it goes on from where it was; finished runs are not run again.
+# Error against run time: installs what is missing, builds the programs, runs the scenes of scripts/report/scenes.py
+# with the methods of scripts/report/methods.py, and writes report/: runs.csv, index.html and its pictures as PNG.
+# Interrupted, it goes on from where it was; finished runs are not run again.
 #   scripts/report.sh [--quick] [--output DIR]
 #   --quick   fewer and smaller scenes, in under five minutes (the full form: under an hour on two cores)
 #   --output  the folder of the report (default: report)

@@ -37,16 +37,18 @@ def name_of(*parts):
     return hashlib.sha256(json.dumps(parts).encode()).hexdigest()[:16]
 
 
-def cost_of(path, stages, done, words):
-    """What ritz-reduce says of a model, and what the process cost."""
+def cost_of(path, training, done, words):
+    """What ritz-reduce says of a model, and what the process cost, with the seconds that its training took."""
+    stages = {"training": training} if training else {}
     with h5py.File(path) as file:
         for name, seconds in zip(file["report/stages"][:], file["report/seconds"][:]):
             stages[name.decode()] = stages.get(name.decode(), 0.0) + float(seconds)
-        figures = {k.decode(): float(v) for k, v in zip(file["report/figure_names"][:], file["report/figure_values"][:])}
+        names, values = file["report/figure_names"][:], file["report/figure_values"][:]
+        figures = {name.decode(): float(value) for name, value in zip(names, values)}
         columns = int(file["bodies/body/basis"].attrs["column_count"])
-    return {"stages": stages, "seconds": stages.get("training", 0.0) + done.seconds,
-            "memory": figures["peak_memory_bytes"], "bytes": path.stat().st_size, "columns": columns,
-            "flags": " ".join(words), "error_force": figures.get("witness_force")}
+    return {"stages": stages, "seconds": training + done.seconds, "memory": figures["peak_memory_bytes"],
+            "bytes": path.stat().st_size, "columns": columns, "flags": " ".join(map(str, words)),
+            "error_force": figures.get("witness_force")}
 
 
 @dataclass(frozen=True)
@@ -55,15 +57,18 @@ class Bench:
     bin: Path
     folder: Path
 
-    def mesh(self, mesh):
-        return mesh if isinstance(mesh, str) else mesh(self.folder)
+    @property
+    def shared(self):
+        """The folder of what scenes with the same body share."""
+        return self.folder.parent / "shared"
 
-    def problem(self, mesh=None):
+    def problem(self):
         """The options that the two parallel programs share."""
-        return ["-mesh", self.mesh(mesh or self.scene.mesh), "-fix", self.scene.fixed, *self.scene.options]
+        mesh = self.scene.mesh if isinstance(self.scene.mesh, str) else self.scene.mesh.write(self.shared / "meshes")
+        return ["-mesh", mesh, "-fix", self.scene.fixed, *self.scene.options]
 
     def toml(self, step, integrator, loads=None):
-        text = self.scene.toml(step, integrator, loads)
+        text = self.scene.toml(step, integrator, self.scene.loads if loads is None else loads)
         path = self.folder / "scenes" / f"{name_of(text)}.toml"
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text)
@@ -73,7 +78,7 @@ class Bench:
         return round(self.scene.frame / step)
 
     def body(self):
-        folder = self.folder / "body"
+        folder = self.shared / "bodies" / name_of(self.problem())
         if not (folder / "model.h5").exists():
             folder.mkdir(parents=True, exist_ok=True)
             programs.run(self.bin / "ritz-reduce", [*self.problem(), "-modes", 1, "-export", "petsc", "-output",
@@ -81,9 +86,9 @@ class Bench:
             (folder / "model_K.bin").unlink()
         return body.read(folder / "model.h5", folder / "model_M.bin", self.scene.fixed)
 
-    def full(self, step, integrator, loads=None, mesh=None):
+    def full(self, step, integrator, loads=None):
         """The folder of a motion of the full model and what it cost, as a dict. Raises programs.Failed."""
-        words = self.problem(mesh)
+        words = self.problem()
         scene = self.toml(step, integrator, loads)
         folder = self.folder / "full" / name_of(words, scene.name)
         cost = load(folder / "cost.json")
@@ -100,24 +105,24 @@ class Bench:
 
     def training(self):
         """The motion that POD learns from, at the middle step."""
-        scene = self.scene
-        return self.full(scene.steps[len(scene.steps) // 2], "avf" if scene.analysis == "time" else "", scene.training)
+        return self.full(self.scene.middle, "avf" if self.scene.analysis == "time" else "", self.scene.training)
 
     def model(self, method, knobs):
         """The path of a reduced model and what it cost, as a dict. Raises programs.Failed."""
         method = BY_NAME[method]
         words = [word.format(k=knobs.k, r=knobs.r) for word in method.options]
-        folder = self.folder / "models" / name_of(self.problem(), words, method.name)
+        learned = [self.scene.toml(self.scene.middle, "", self.scene.training)] if method.learns else []
+        folder = self.shared / "models" / name_of(self.problem(), words, learned)
         path, cost = folder / "model.h5", load(folder / "cost.json")
         if not cost:
             folder.mkdir(parents=True, exist_ok=True)
-            stages = {}
+            training, snapshots = 0.0, []
             if method.learns:
-                learned, spent = self.training()
-                words += ["-snapshots", str(learned / "full.h5")]
-                stages["training"] = spent["wall"]
-            done = programs.run(self.bin / "ritz-reduce", [*self.problem(), *words, "-output", path], self.scene.ranks)
-            cost = cost_of(path, stages, done, words)
+                motion, spent = self.training()
+                training, snapshots = spent["wall"], ["-snapshots", motion / "full.h5"]
+            done = programs.run(self.bin / "ritz-reduce", [*self.problem(), *words, *snapshots, "-output", path],
+                                self.scene.ranks)
+            cost = cost_of(path, training, done, words)
             save(folder / "cost.json", cost)
         return path, cost
 

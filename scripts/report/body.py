@@ -40,7 +40,7 @@ def read_petsc(path):
 
 
 def read(model, mass, fixed):
-    """`model`: any reduced model of the mesh; `mass`: what -export petsc wrote beside it; `fixed`: the set that is held."""
+    """`model`: any reduced model of the mesh; `mass`: what -export petsc wrote beside it; `fixed`: the set held."""
     with h5py.File(model) as file:
         geometry = file["bodies/body/geometry"]
         ids = geometry["vertex_ids"][:]

@@ -1,15 +1,16 @@
 """All runs of a form: scene by scene, each run judged once, then timed in rounds that go through all of them.
 
-Finished runs stand in runs.csv; what an unfinished one has so far stands in work/SCENE/state/KEY.json.
+Finished runs stand in runs.csv; what an unfinished one has so far stands in work/BUILD/SCENE/state/KEY.json.
 """
 import random
+import shutil
 import statistics
 from dataclasses import dataclass
 from pathlib import Path
 
 from report import reference, table, trial
 from report.bench import Bench, load, save
-from report.methods import BY_NAME, Form, plan
+from report.methods import BY_NAME, Form, key_of, plan
 from report.progress import Progress
 
 
@@ -23,13 +24,17 @@ class Campaign:
 
 
 def start(scenes, form, bin_folder, output, program, progress):
-    benches = tuple(Bench(scene, bin_folder, output / "work" / scene.name) for scene in scenes)
+    """Forgets what another build has left."""
+    for old in (output / "work").glob("*"):
+        if old.name != program:
+            shutil.rmtree(old)
+    benches = tuple(Bench(scene, bin_folder, output / "work" / program / scene.name) for scene in scenes)
     return Campaign(benches, form, output, program, progress)
 
 
 def run(campaign):
     """Runs what is not finished. A run that is no longer in the plan, or of another build, is dropped."""
-    plans = {bench: {run.key(campaign.program): run for run in plan(bench.scene, campaign.form)}
+    plans = {bench: {key_of(run, bench.scene, campaign.program): run for run in plan(bench.scene, campaign.form)}
              for bench in campaign.benches}
     runs_csv, over_time_csv = campaign.output / "runs.csv", campaign.output / "over_time.csv"
     table.keep(runs_csv, table.COLUMNS, {key for runs in plans.values() for key in runs})
@@ -59,14 +64,21 @@ def judged(campaign, bench, found, run, key):
     if state is None:
         campaign.progress.say(f"{bench.scene.name}: {describe(run)}")
         row, over_time = trial.judge(bench, found, run, key)
-        state = {"row": row, "over_time": over_time, "samples": []}
+        state = {"row": row, "over_time": over_time, "samples": first_sample(bench, run, row)}
         save(path, state)
     campaign.progress.add(seconds(bench.scene, run))
     return state
 
 
+def first_sample(bench, run, row):
+    """The full model's motion has been timed already when it was made."""
+    if BY_NAME[run.method].program != "full" or row["status"] != "done":
+        return []
+    return [trial.full_sample(bench.full(run.step, run.integrator)[1])]
+
+
 def time_round(campaign, bench, runs, states, repetition):
-    """Times every run once more, in an order of chance, so that what disturbs the machine disturbs all methods alike."""
+    """Times every run once more, in an order of chance, so that what disturbs the machine disturbs all alike."""
     order = sorted(runs)
     random.Random(repetition).shuffle(order)
     for key in order:
@@ -96,7 +108,7 @@ def columns(scene, run):
     return {"scene": scene.name, "title": scene.title, "load_factor": scene.load_factor, "analysis": scene.analysis,
             "end": scene.end, "ranks": scene.ranks, "method": run.method, "k": run.knobs.k, "r": run.knobs.r,
             "integrator": run.integrator, "precision": run.precision, "step": run.step, "sweep": run.sweep,
-            "mesh_compared": scene.other_mesh_is if scene.other_mesh else ""}
+            "mesh_compared": scene.other_is if scene.other else ""}
 
 
 def quartiles(values):
@@ -109,9 +121,11 @@ def summary(samples):
     step = quartiles([sample["median"] for sample in samples])
     whole = quartiles([sample["seconds"] for sample in samples])
     tails = [sample["p99"] for sample in samples if "p99" in sample]
-    return {"repetitions": len(samples), "microseconds": step[1], "microseconds_q1": step[0], "microseconds_q3": step[2],
-            "microseconds_p99": statistics.median(tails) if tails else None, "seconds": whole[1], "seconds_q1": whole[0],
-            "seconds_q3": whole[2], "iterations": samples[-1].get("iterations"), "rejected": samples[-1].get("rejected"),
+    return {"repetitions": len(samples),
+            "microseconds": step[1], "microseconds_q1": step[0], "microseconds_q3": step[2],
+            "microseconds_p99": statistics.median(tails) if tails else None,
+            "seconds": whole[1], "seconds_q1": whole[0], "seconds_q3": whole[2],
+            "iterations": samples[-1].get("iterations"), "rejected": samples[-1].get("rejected"),
             "run_memory": max(sample["memory"] for sample in samples)}
 
 
@@ -135,9 +149,9 @@ def rounds(scene, run, form):
 
 
 def reference_seconds(scene):
-    steps = sum(scene.count(step) for step in (scene.steps[-1], scene.steps[-2], scene.steps[len(scene.steps) // 2]))
-    finer = 10 * scene.count(scene.steps[0]) if scene.other_mesh else 0
-    return scene.step_cost * (steps + finer)
+    steps = sum(scene.count(step) for step in (scene.steps[-1], scene.steps[-2], scene.middle))
+    other = 0 if not scene.other else 4 if scene.other_is == "a finer" else 0.1
+    return scene.step_cost * (steps + other * scene.count(scene.steps[0]))
 
 
 def expected(scene, runs, form):

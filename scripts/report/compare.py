@@ -27,8 +27,8 @@ def to_reach(rows, error):
 
 
 def break_even(row, rows):
-    """After how many steps the reduced model's making is paid back, against the full model's own integrator, AVF, at the
-    same step (or the nearest that was run); NaN where the full model is not slower, or was not run."""
+    """After how many steps the making of the reduced model is paid back, against the full model with AVF at the same
+    step (or the nearest that was run); NaN where the full model is not slower, or was not run."""
     full = [other for other in done(rows) if other["method"] == "full" and other["scene"] == row["scene"]
             and other["integrator"] in ("avf", "")]
     if not full or row["status"] != "done" or math.isnan(row["precompute_seconds"]):

@@ -1,27 +1,34 @@
-"""The errors, each beside the sentence that the page prints. u, v: displacements, frames x degrees of freedom; M: the mass
-matrix of the mesh; the reference is the second argument."""
+"""The errors, each beside the sentence that the page prints. u, v: displacements, frames x degrees of freedom; M: the
+mass matrix of the mesh; the reference is the second argument."""
 import numpy as np
 
 TRAPEZOID = np.trapezoid if hasattr(np, "trapezoid") else np.trapz
 
 DEFINITIONS = {
     "M-norm": "‖u‖_M = √(uᵀ M u), M the consistent mass matrix of the mesh.",
-    "error_integrated": "Time-integrated relative displacement error: √(∫‖u − v‖²_M dt / ∫‖v‖²_M dt) by the trapezoidal rule "
-                        "over the frames, v being the reference. Of statics: over the load fraction.",
+    "error_integrated":
+        "Time-integrated relative displacement error: √(∫‖u − v‖²_M dt / ∫‖v‖²_M dt) by the trapezoidal rule over the "
+        "frames, v being the reference. Of statics: over the load fraction.",
     "error_max": "Its maximum: max ‖u − v‖_M / max ‖v‖_M over the frames.",
-    "error_basis": "Basis part: the time-integrated error of the same reduced model run at the reference's step. Of linear "
-                   "runs it holds what linearisation leaves out.",
-    "error_time": "Time part: the time-integrated difference from the same reduced model at the reference's step, relative "
-                  "to the reference. It is floored by the reference's step itself.",
-    "error_mesh": "Mesh part: √(∫|p − q|² dt / ∫|q|² dt) of the probe, the full model on this mesh against one on another mesh "
-                  "at the same step.",
-    "floor": "The reference's floor: the time-integrated difference between the reference and the same at twice its step. "
-             "What is below it is not told apart.",
-    "error_frequency": "Frequency error: |f − f_ref| / f_ref of the probe's strongest tone after the release, under a Hann "
-                       "window.",
-    "error_force": "Reduced-force error: the largest ‖f̃(z) − Uᵀf(Uz)‖ relative to ‖Uᵀf(Uz)‖ over the poses that ritz-reduce "
-                   "tries.",
-    "energy_balance": "Energy balance: max |E − E₀ − W + Q| over the largest energy, Q being what damping took.",
+    "error_basis":
+        "Basis part: the time-integrated error of the same reduced model run at the reference's step. Of linear runs "
+        "it holds what linearisation leaves out.",
+    "error_time":
+        "Time part: the time-integrated difference from the same reduced model at the reference's step, relative to "
+        "the reference. It is floored by the reference's step itself.",
+    "error_mesh":
+        "Mesh part: √(∫|p − q|² dt / ∫|q|² dt) of the probe, the full model on this mesh against one on another mesh "
+        "at the same step.",
+    "floor":
+        "The reference's floor: the time-integrated difference between the reference and the same at twice its step. "
+        "What is below it is not told apart.",
+    "error_frequency":
+        "Frequency error: |f − f_ref| / f_ref of the probe's strongest tone after the release, under a Hann window.",
+    "error_force":
+        "Reduced-force error: the largest ‖f̃(z) − Uᵀf(Uz)‖ relative to ‖Uᵀf(Uz)‖ over the poses that ritz-reduce "
+        "tries.",
+    "energy_balance":
+        "Energy balance of the full model: max |E − E₀ − W + Q| over the largest energy, Q being what damping took.",
 }
 
 

@@ -1,8 +1,9 @@
 """The table of methods, and the runs that a scene asks of them. A new method joins by a row of METHODS."""
 import dataclasses
 import hashlib
-import json
 from dataclasses import dataclass
+
+from report.scenes import Limits
 
 LINEAR_INTEGRATORS = ("exact", "avf", "newmark", "generalized-alpha", "bdf2", "implicit-euler", "central-difference")
 NONLINEAR_INTEGRATORS = LINEAR_INTEGRATORS[1:]
@@ -43,7 +44,7 @@ METHODS = (
            NONLINEAR_INTEGRATORS, ("avf", "newmark", "implicit-euler")),
     Method("pod", "POD of the full run", "reduced", ("-modes", "0", "-basis", "{r}", "-polynomial"),
            tuple(Knobs(0, r) for r in (5, 10, 20, 40)), Knobs(0, 20), ("avf",), learns=True),
-    Method("full", "the full model", "full", integrators=FULL_INTEGRATORS),
+    Method("full", "the full model", "full", (), (Knobs(),), integrators=FULL_INTEGRATORS),
 )
 BY_NAME = {method.name: method for method in METHODS}
 
@@ -59,16 +60,21 @@ class Run:
     step: float
     sweep: str  # basis or step: the picture's line that the point lies on
 
-    def key(self, version):
-        """The same run of the same programs has the same key."""
-        text = json.dumps([dataclasses.asdict(self), version], sort_keys=True)
-        return hashlib.sha256(text.encode()).hexdigest()[:16]
+
+def other_of(scene):
+    return scene.other and (scene.other.mesh, scene.other.loads)
+
+
+def key_of(run, scene, program):
+    """The same run by the same build has the same key. What only words or chooses is no part of it."""
+    bare = dataclasses.replace(scene, title="", limits=Limits(), step_cost=0.0, other=other_of(scene))
+    method = BY_NAME[run.method]
+    return hashlib.sha256(repr((run, bare, method.options, method.learns, program)).encode()).hexdigest()[:16]
 
 
 def basis_sweep(scene, method):
-    step = scene.steps[len(scene.steps) // 2]
     integrator = "" if scene.analysis == "static" else method.integrators[0]
-    return [Run(scene.name, method.name, knobs, integrator, "double", step, "basis") for knobs in method.basis]
+    return [Run(scene.name, method.name, knobs, integrator, "double", scene.middle, "basis") for knobs in method.basis]
 
 
 def step_sweep(scene, method):
@@ -83,32 +89,26 @@ def step_sweep(scene, method):
     return runs
 
 
-def plan(scene, form):
-    """The runs of a scene that the form admits, each once."""
-    runs = []
-    for method in METHODS:
-        if scene.methods and method.name not in scene.methods:
-            continue
-        for run in basis_sweep(scene, method) + step_sweep(scene, method):
-            twin = any(dataclasses.replace(other, sweep=run.sweep) == run for other in runs)
-            if form.admits(run) and not twin:
-                runs.append(run)
-    return runs
-
-
 @dataclass(frozen=True)
 class Form:
-    """Quick or full: how much of the plan is run, and how often."""
-    name: str
+    """How much of the plan is run, and how often."""
     repetitions: int
     seconds: float  # after which a run is not repeated again
-
-    def admits(self, run):
-        if self.name == "full":
-            return True
-        if run.sweep == "basis":
-            return run.knobs in (Knobs(4), Knobs(8), Knobs(4, 8), Knobs(4, 14), Knobs(8, 20), Knobs(0, 10))
-        return run.integrator in ("exact", "avf", "implicit-euler")
+    limits: Limits = Limits()
 
 
-FORMS = {"full": Form("full", 10, 30.0), "quick": Form("quick", 3, 5.0)}
+FORMS = {
+    "full": Form(10, 8.0),
+    "quick": Form(3, 3.0, Limits(sizes=((4, 0), (8, 0), (4, 8), (4, 14), (8, 20), (0, 10)),
+                                 integrators=("exact", "avf", "newmark", "implicit-euler"))),
+}
+
+
+def plan(scene, form):
+    """The runs of a scene that it and the form want, each once."""
+    runs = {}
+    for method in METHODS:
+        for run in basis_sweep(scene, method) + step_sweep(scene, method):
+            if scene.limits.admits(run) and form.limits.admits(run):
+                runs.setdefault(dataclasses.replace(run, sweep=""), run)
+    return list(runs.values())

@@ -2,16 +2,24 @@
 import html
 import io
 import math
+import re
 
 import matplotlib.pyplot as plt
 
-from report import compare, errors, pictures, table
+from report import compare, diagram, errors, pictures, table
 from report.methods import METHODS
 
 STYLE = """body{font:15px/1.5 sans-serif;max-width:1150px;margin:2em auto;padding:0 1em;color:#222}
-table{border-collapse:collapse;margin:1em 0;font-size:13px}td,th{border-bottom:1px solid #ddd;padding:.25em .7em;text-align:right}
+table{border-collapse:collapse;margin:1em 0;font-size:13px}
+td,th{border-bottom:1px solid #ddd;padding:.25em .7em;text-align:right}
 td:first-child,th:first-child{text-align:left}th{background:#f5f5f5}svg{max-width:100%;height:auto}
-dt{font-weight:bold}dd{margin:0 0 .5em 1.5em}.reason{text-align:left}caption{text-align:left;font-weight:bold;padding:.5em 0}"""
+dt{font-weight:bold}dd{margin:0 0 .5em 1.5em}caption{text-align:left;font-weight:bold;padding:.5em 0}"""
+
+INTRODUCTION = """Every error is against the full model on the same mesh at a refined step. Times are of stepping alone:
+medians of repetitions in which all runs take turns, one BLAS thread; reduced models run on one core, the full model and
+the precomputation on as many ranks as stands beside the scene. Compare times at equal error only: the time to reach
+1 %. Break-even steps are those after which a reduced model's precomputation is paid back, against the full model at the
+same step."""
 
 
 def cell(text):
@@ -32,16 +40,18 @@ def rows_table(caption, heads, lines):
             f"</tr>\n{body}</table>\n")
 
 
-def svg(figure):
+def svg(name, figure):
+    """The element alone, without metadata that names other places; the same figure gives the same text."""
     out = io.StringIO()
-    figure.savefig(out, format="svg", metadata={"Date": None, "Creator": None})
+    with plt.rc_context({"svg.hashsalt": name}):
+        figure.savefig(out, format="svg", metadata={"Date": None})
     text = out.getvalue()
-    return text[text.index("<svg"):]
+    return re.sub("<metadata>.*?</metadata>", "", text[text.index("<svg"):], flags=re.DOTALL)
 
 
 def picture(folder, name, figure):
     figure.savefig(folder / f"{name}.png", dpi=110)
-    text = svg(figure)
+    text = svg(name, figure)
     plt.close(figure)
     return text
 
@@ -51,7 +61,7 @@ def reach_table(rows):
     for method in METHODS:
         row = compare.to_reach([row for row in rows if row["method"] == method.name], 0.01)
         if row:
-            lines.append((method.title, pictures.knobs(row), row["integrator"], row["precision"], number(row["step"]),
+            lines.append((method.title, diagram.knobs(row), row["integrator"], row["precision"], number(row["step"]),
                           percent(row["error_integrated"]), number(row["seconds"], " s"), number(row["microseconds"]),
                           number(row["microseconds_p99"]), number(row["precompute_seconds"], " s"),
                           number(compare.break_even(row, rows))))
@@ -61,10 +71,23 @@ def reach_table(rows):
                       "time of stepping", "µs a step", "p99", "precomputation", "break-even steps"), lines)
 
 
+def summary_table(rows):
+    """A row a scene, a column a method: the time to 1 %."""
+    names = [method.name for method in METHODS if any(row["method"] == method.name for row in rows)]
+    lines = []
+    for scene in compare.scenes(rows):
+        here = [row for row in rows if row["scene"] == scene]
+        best = [compare.to_reach([row for row in here if row["method"] == name], 0.01) for name in names]
+        times = ("not reached" if row is None else number(row["seconds"], " s") for row in best)
+        lines.append((here[0]["title"], *times))
+    heads = ("scene", *(diagram.TITLES[name] for name in names))
+    return rows_table("Time of stepping to reach an error of 1 %", heads, lines)
+
+
 def cost_table(rows):
     chosen = [row for row in compare.done(rows) if row["sweep"] == "basis"]
-    titles = pictures.TITLES
-    lines = [(titles[row["method"]], pictures.knobs(row), number(row["columns"]), percent(row["error_integrated"]),
+    titles = diagram.TITLES
+    lines = [(titles[row["method"]], diagram.knobs(row), number(row["columns"]), percent(row["error_integrated"]),
               percent(row["error_max"]), percent(row["error_frequency"]), number(row["error_force"]),
               f"{number(row['microseconds'])} ({number(row['microseconds_q1'])} … {number(row['microseconds_q3'])})",
               number(row["microseconds_p99"]), number(row["precompute_seconds"], " s"), row["precompute_stages"],
@@ -76,20 +99,22 @@ def cost_table(rows):
 
 
 def omissions(rows):
-    lines = [(row["scene"], pictures.TITLES[row["method"]], pictures.knobs(row), row["integrator"], row["precision"],
+    lines = [(row["scene"], diagram.TITLES[row["method"]], diagram.knobs(row), row["integrator"], row["precision"],
               number(row["step"]), row["reason"]) for row in compare.failed(rows)]
     if not lines:
         return "<p>No run failed.</p>"
-    return rows_table("Omissions: runs that failed", ("scene", "method", "knobs", "integrator", "precision", "step", "reason"),
-                      lines)
+    heads = ("scene", "method", "knobs", "integrator", "precision", "step", "reason")
+    return rows_table("Runs that failed", heads, lines)
 
 
 def scene_part(folder, rows, frames):
     name, first = rows[0]["scene"], rows[0]
     text = (f"<h2>{cell(first['title'])}</h2>\n<p>{first['vertices']:.0f} vertices, {first['cells']:.0f} cells, "
-            f"{first['dofs']:.0f} degrees of freedom. Reference: the full model, AVF, step {pictures.seconds(first['reference_step'])}; "
-            f"its floor {percent(first['floor'])}. The mesh's part of the error: {percent(first['error_mesh'])} "
-            f"(against a {cell(first['mesh_compared'] or 'different')} mesh).</p>\n")
+            f"{first['dofs']:.0f} degrees of freedom; ritz-reduce and ritz-full on {first['ranks']:.0f} rank(s). "
+            f"Reference: the full model, {'AVF, step' if first['analysis'] == 'time' else 'load step'} "
+            f"{number(first['reference_step'])}; its floor {percent(first['floor'])}. "
+            f"The mesh's part of the error: {percent(first['error_mesh'])} "
+            f"(against {cell(first['mesh_compared'] or 'another')} mesh).</p>\n")
     if not compare.done(rows):
         return text + "<p>No run was finished.</p>"
     keys = {row["key"] for row in rows}
@@ -100,14 +125,25 @@ def scene_part(folder, rows, frames):
         picture(folder, f"{name}_parts", pictures.parts(rows)), cost_table(rows)))
 
 
+def by_load(folder, rows):
+    """The picture over the load, where scenes of one family were run with several factors."""
+    if len({row["load_factor"] for row in rows}) < 2:
+        return ""
+    family = next(row["scene"] for row in rows if row["load_factor"] != 1).split("_x")[0]
+    chosen = [row for row in rows if row["scene"].split("_x")[0] == family]
+    return picture(folder, f"{family}_over_load", pictures.over_load(chosen))
+
+
 def write(folder):
     """Returns the path of index.html."""
     rows, frames = table.read(folder / "runs.csv"), table.read(folder / "over_time.csv")
     definitions = "".join(f"<dt>{cell(name)}</dt><dd>{cell(text)}</dd>\n" for name, text in errors.DEFINITIONS.items())
-    parts = [scene_part(folder, [row for row in rows if row["scene"] == scene], frames) for scene in compare.scenes(rows)]
+    parts = [scene_part(folder, [row for row in rows if row["scene"] == scene], frames)
+             for scene in compare.scenes(rows)]
     versions = cell(f"{rows[0]['versions']}; build {rows[0]['program']}") if rows else ""
     text = (f"<!DOCTYPE html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>Error against run time</title>\n"
-            f"<style>{STYLE}</style>\n<h1>Error against run time</h1>\n<p>{versions}</p>\n" + "\n".join(parts) +
+            f"<style>{STYLE}</style>\n<h1>Error against run time</h1>\n<p>{versions}</p>\n<p>{INTRODUCTION}</p>\n"
+            f"{summary_table(rows)}\n{by_load(folder, rows)}\n" + "\n".join(parts) +
             f"<h2>Omissions</h2>\n{omissions(rows)}\n<h2>Definitions</h2>\n<dl>{definitions}</dl>\n</html>\n")
     (folder / "index.html").write_text(text)
     return folder / "index.html"

@@ -34,9 +34,11 @@ class Progress:
         self.next = now + 15
         left = self.left()
         part = 100 * self.done / self.total if self.total else 0
-        ending = "" if left is None else f"; about {left / 60:.0f} min left" if left > 90 else f"; about {left:.0f} s left"
-        line = f"{min(part, 99):3.0f} %  {what}{ending}"
-        print(f"\r\033[K{line}" if self.terminal else line, end="" if self.terminal else "\n", file=self.stream, flush=True)
+        line = f"{min(part, 99):3.0f} %  {what}"
+        if left is not None:
+            line += f"; about {left / 60:.0f} min left" if left > 90 else f"; about {left:.0f} s left"
+        self.stream.write(f"\r\033[K{line}" if self.terminal else f"{line}\n")
+        self.stream.flush()
 
     def end(self):
         if self.terminal:

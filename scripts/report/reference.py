@@ -1,5 +1,5 @@
 """What a scene's runs are compared with: ritz-full with AVF on the same mesh at the finest step."""
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -18,8 +18,9 @@ class Reference:
     facts: dict  # columns of runs.csv
 
 
-def tone_of(scene, folder):
-    times, places = probe(folder)
+def tone_of(scene, folder, every):
+    """Of the probe at the frames' times, so that all runs are looked at through the same window."""
+    times, places = (values[::every] for values in probe(folder))
     if scene.analysis == "static":
         return float("nan")
     after = times > scene.released
@@ -37,16 +38,15 @@ def find(bench):
     size = errors.norms(u, body.mass)
     floor = errors.integrated(errors.norms(body.frames(coarse / "full.h5")[1] - u, body.mass), size, times)
     facts = {"reference_step": scene.steps[-1], "floor": floor, "error_mesh": mesh_error(bench, integrator)}
-    return Reference(body, times, u, size, tone_of(scene, fine), facts)
+    return Reference(body, times, u, size, tone_of(scene, fine, bench.every(scene.steps[-1])), facts)
 
 
 def mesh_error(bench, integrator):
     """Of the probe, at the coarsest step, on the two meshes."""
     scene = bench.scene
-    if not scene.other_mesh:
+    if not scene.other:
         return float("nan")
-    step = scene.steps[0]
-    here, _ = bench.full(step, integrator)
-    there, _ = bench.full(step, integrator, mesh=scene.other_mesh)
+    here, _ = bench.full(scene.steps[0], integrator)
+    there, _ = replace(bench, scene=scene.other).full(scene.steps[0], integrator)
     (times, p), (_, q) = probe(here), probe(there)
     return errors.probes(p, q, times)

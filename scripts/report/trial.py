@@ -35,13 +35,14 @@ def compare(bench, reference, run, key, row):
     row |= {"error_integrated": errors.integrated(error, reference.size, times),
             "error_max": errors.largest(error, reference.size)}
     if not row["error_max"] <= LOST:
-        raise programs.Failed(f"the motion is lost: its error grows to {row['error_max']:.1e} of the largest displacement")
+        reason = f"the motion is lost: its error grows to {row['error_max']:.1e} of the largest displacement"
+        raise programs.Failed(reason, 0.0 if full else 1e-6 * float(step_costs(folder)[0].sum()))
     if full:
         row |= {"error_basis": 0.0, "error_time": row["error_integrated"], "energy_balance": energy_balance(folder)}
     else:
         row |= parts(bench, reference, run, u)
     if not math.isnan(reference.tone):
-        row["error_frequency"] = errors.relative(tone_of(bench.scene, folder), reference.tone)
+        row["error_frequency"] = errors.relative(tone_of(bench.scene, folder, bench.every(run.step)), reference.tone)
     if not full:
         shutil.rmtree(folder)
     return list(zip(times.tolist(), (error / reference.size.max()).tolist()))
@@ -62,16 +63,20 @@ def move(bench, run, folder):
 
 def parts(bench, reference, run, u):
     """The error of the basis and that of the step: by the same model at the reference's step."""
-    scene = bench.scene
-    path, _ = bench.model(run.method, run.knobs)
-    folder = path.parent / f"finest-{scene.load_factor:g}"
-    if not (folder / "motion.h5").exists():
-        integrator = "" if scene.analysis == "static" else BY_NAME[run.method].integrators[0]
-        bench.reduced(path, scene.reference_step, integrator, "double", folder, ["--every", bench.every(scene.reference_step)])
-    times, finest = reference.body.frames(folder / "motion.h5")
-    size, mass = reference.size, reference.body.mass
+    finest = finest_frames(bench, reference, run)
+    size, times, mass = reference.size, reference.times, reference.body.mass
     return {"error_basis": errors.integrated(errors.norms(finest - reference.u, mass), size, times),
             "error_time": errors.integrated(errors.norms(u - finest, mass), size, times)}
+
+
+def finest_frames(bench, reference, run):
+    path, _ = bench.model(run.method, run.knobs)
+    step = bench.scene.steps[-1]
+    folder = bench.folder / "finest" / path.parent.name
+    if not (folder / "motion.h5").exists():
+        integrator = "" if bench.scene.analysis == "static" else BY_NAME[run.method].integrators[0]
+        bench.reduced(path, step, integrator, "double", folder, ["--every", bench.every(step)])
+    return reference.body.frames(folder / "motion.h5")[1]
 
 
 def energy_balance(folder):
@@ -82,26 +87,31 @@ def energy_balance(folder):
     return float(np.max(np.abs(table["drift"])) / np.max(table["kinetic"] + table["elastic"]))
 
 
+def step_costs(folder):
+    """µs of every step, Newton iterations and steps rejected in all."""
+    with open(folder / "timing.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    return (np.array([float(row["microseconds"]) for row in rows]), sum(int(row["iterations"]) for row in rows),
+            sum(int(row["rejected"]) for row in rows))
+
+
 def sample(bench, run, key):
     """What one repetition costs: seconds of stepping, µs a step (median, p99), Newton iterations, rejected, memory."""
     if BY_NAME[run.method].program == "full":
-        return sample_full(bench, run)
+        folder, steps = bench.folder / "timed" / key, bench.scene.count(run.step)
+        cost = bench.full_once(bench.problem(), bench.toml(run.step, run.integrator), folder, steps, steps)
+        shutil.rmtree(folder)
+        return full_sample(cost)
     folder = bench.folder / "timed" / key
     done = bench.reduced(bench.model(run.method, run.knobs)[0], run.step, run.integrator, run.precision, folder,
                          ["--frames", 0])
-    with open(folder / "timing.csv", newline="") as file:
-        rows = list(csv.DictReader(file))
+    micros, iterations, rejected = step_costs(folder)
     shutil.rmtree(folder)
-    micros = np.array([float(row["microseconds"]) for row in rows])
     return {"seconds": 1e-6 * float(micros.sum()), "median": float(np.median(micros)),
-            "p99": float(np.percentile(micros, 99)), "iterations": sum(int(row["iterations"]) for row in rows),
-            "rejected": sum(int(row["rejected"]) for row in rows), "memory": done.memory}
+            "p99": float(np.percentile(micros, 99)), "iterations": iterations, "rejected": rejected,
+            "memory": done.memory}
 
 
-def sample_full(bench, run):
+def full_sample(cost):
     """ritz-full says what its steps took in all: their mean stands for the median."""
-    steps = bench.scene.count(run.step)
-    folder = bench.folder / "timed" / "full"
-    cost = bench.full_once(bench.problem(), bench.toml(run.step, run.integrator), folder, steps, steps)
-    shutil.rmtree(folder)
-    return {"seconds": cost["seconds"], "median": 1e6 * cost["seconds"] / steps, "memory": cost["memory"]}
+    return {"seconds": cost["seconds"], "median": 1e6 * cost["seconds"] / cost["steps"], "memory": cost["memory"]}
