@@ -141,11 +141,12 @@ def state_path(bench, key):
 
 def seconds(scene, run):
     """About what one run takes."""
-    return scene.count(run.step) * scene.step_cost if BY_NAME[run.method].program == "full" else 0.3
+    return scene.count(run.step) * scene.step_cost if BY_NAME[run.method].program == "full" else 0.15
 
 
 def rounds(scene, run, form):
-    return min(form.repetitions, 1 + int(form.seconds / seconds(scene, run)))
+    """About how often it is timed after it was judged."""
+    return min(form.repetitions, int(form.seconds / seconds(scene, run)))
 
 
 def reference_seconds(scene):

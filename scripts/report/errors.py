@@ -51,14 +51,19 @@ def probes(p, q, times):
     return integrated(np.linalg.norm(p - q, axis=1), np.linalg.norm(q, axis=1), times)
 
 
+PERIODS = 1.5  # that a signal must hold for its tone to be told
+
+
 def tone(times, signal):
-    """The strongest frequency, Hz, by a parabola through the logarithms about the highest peak of the spectrum."""
+    """The strongest frequency, Hz, by a parabola through the logarithms about the highest peak of the spectrum; NaN
+    where the signal is too short to tell."""
     padded = 16 * len(signal)
     amplitudes = np.abs(np.fft.rfft((signal - signal.mean()) * np.hanning(len(signal)), padded))
     top = int(np.argmax(amplitudes[1:-1])) + 1
     left, middle, right = np.log(amplitudes[top - 1:top + 2])
     shift = (left - right) / (2 * (left - 2 * middle + right))
-    return float((top + shift) / (padded * (times[1] - times[0])))
+    frequency = float((top + shift) / (padded * (times[1] - times[0])))
+    return frequency if frequency * (times[-1] - times[0]) >= PERIODS else float("nan")
 
 
 def relative(value, reference):

@@ -40,7 +40,7 @@ METHODS = (
            tuple(Knobs(k) for k in (2, 4, 8, 16, 32)), Knobs(8), ("avf",)),
     Method("derivatives", "modes + derivatives", "reduced",
            ("-modes", "{k}", "-derivatives", "{k}", "-basis", "{r}", "-polynomial"),
-           tuple(Knobs(*kr) for kr in ((2, 5), (4, 8), (4, 14), (8, 12), (8, 20), (8, 30), (8, 40))), Knobs(8, 20),
+           tuple(Knobs(*kr) for kr in ((2, 5), (4, 8), (4, 14), (8, 12), (8, 20), (8, 30), (8, 44))), Knobs(8, 20),
            NONLINEAR_INTEGRATORS, ("avf", "newmark", "implicit-euler")),
     Method("pod", "POD of the full run", "reduced", ("-modes", "0", "-basis", "{r}", "-polynomial"),
            tuple(Knobs(0, r) for r in (5, 10, 20, 40)), Knobs(0, 20), ("avf",), learns=True),
@@ -80,11 +80,12 @@ def basis_sweep(scene, method):
 def step_sweep(scene, method):
     if scene.analysis == "static":
         return []
-    runs = []
+    sizes = {name: Knobs(*size) for name, size in scene.step_sizes}
+    knobs, runs = sizes.get(method.name, method.step_basis), []
     for precision, integrators in (("double", method.integrators), ("single", method.single)):
         for integrator in integrators:
             steps = scene.steps if method.program == "reduced" else scene.steps[:-1]
-            runs += [Run(scene.name, method.name, method.step_basis, integrator, precision, step, "step")
+            runs += [Run(scene.name, method.name, knobs, integrator, precision, step, "step")
                      for step in steps]
     return runs
 

@@ -54,6 +54,11 @@ class Errors(unittest.TestCase):
         self.assertAlmostEqual(errors.tone(times, signal), 3.7, delta=0.005)
         self.assertAlmostEqual(errors.relative(3.3, 3.0), 0.1)
 
+    def test_the_tone_of_a_short_or_drifting_signal_is_not_told(self):
+        times = np.arange(0, 0.2, 0.005)
+        self.assertTrue(math.isnan(errors.tone(times, np.sin(2 * math.pi * 3.7 * times))))
+        self.assertTrue(math.isnan(errors.tone(times, times)))
+
     def test_every_error_of_the_table_is_defined(self):
         from report import table
         for column in table.COLUMNS:
