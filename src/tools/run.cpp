@@ -5,6 +5,7 @@
 #include <iomanip>
 #include <numeric>
 #include <ostream>
+#include <utility>
 
 #include "inside_out.hpp"
 #include "ritz/base/counted.hpp"
@@ -22,9 +23,10 @@ namespace {
 
 void protect_inputs(const RunOptions& options) {
   std::error_code none;
-  for (const auto& input : {options.model, options.scene})
-    if (std::filesystem::equivalent(input, options.output, none))
-      throw InputError("--output " + options.output.string() + " would overwrite an input: choose another name");
+  for (const auto& [option, output] : {std::pair{"--output ", options.output}, std::pair{"--timing ", options.timing}})
+    for (const auto& input : {options.model, options.scene})
+      if (std::filesystem::equivalent(input, output, none))
+        throw InputError(option + output.string() + " would overwrite an input: choose another name");
 }
 
 MotionPlan plan_scene(const scene::Scene& scene, std::int64_t steps, const std::vector<std::int64_t>& frame_states,
@@ -73,6 +75,7 @@ void run_scene(const RunOptions& options, const format::ModelReader& in, std::os
   const auto plan = plan_scene(scene, steps, frame_states, reduced_size(body));
   Recorder recorder(options.output, body, plan, frame_states);
   if (!scene.probes.empty()) recorder.add_probes(scene.probes, probe_matrix(scene, body));
+  if (!options.timing.empty()) recorder.add_timing(options.timing);
 
   const Cost cost = run_analysis(options, scene, body, recorder);
   recorder.commit();

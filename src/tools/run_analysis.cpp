@@ -45,6 +45,12 @@ void require_finite(bool finite, const std::string& what, std::int64_t step, dou
 
 }  // namespace
 
+void Cost::add(const StepCost& step) {
+  seconds += step.seconds;
+  iterations += step.iterations;
+  rejected += step.rejected;
+}
+
 Cost run_transient(const scene::Scene& scene, const scene::Time& time, const model::Body& body, Recorder& recorder,
                    Visible progress) {
   const auto model = oscillators(scene, body);
@@ -64,7 +70,9 @@ Cost run_transient(const scene::Scene& scene, const scene::Time& time, const mod
     const double t = static_cast<double>(n) * time.step;
     load.evaluate(scene, t, end);
     const auto outcome = runtime::step(model, state, {begin, end}, time.step, workspace);
-    cost.seconds += seconds_since(started);
+    const StepCost spent{.t = t, .seconds = seconds_since(started)};
+    cost.add(spent);
+    recorder.cost(spent);
     require_finite(outcome.status == runtime::Status::done, "step", n, t);
     begin.swap(end);
     recorder.record(t, state.z());
@@ -83,7 +91,9 @@ Cost run_statics(const scene::Scene& scene, const scene::Static& statics, const 
     const double t = static_cast<double>(n) / statics.steps;
     load.evaluate(scene, t, force);
     const Eigen::VectorXd z = runtime::solve_static(model, force);
-    cost.seconds += seconds_since(started);
+    const StepCost spent{.t = t, .seconds = seconds_since(started)};
+    cost.add(spent);
+    recorder.cost(spent);
     require_finite(z.allFinite(), "load step", n, t);
     recorder.record(t, z);
   }

@@ -19,6 +19,8 @@ struct Cost {
   std::int64_t rejected = 0;    ///< steps that did not converge and were halved
   std::string balance = {};     ///< of the energy, a line; of undamped nonlinear motions
   std::string warning = {};     ///< a sentence, or nothing
+
+  void add(const StepCost& step);
 };
 
 /// From rest at t = 0 to the scene's end. Throws NumericalError when a step is not finite.

@@ -66,9 +66,9 @@ void advance(const scene::Time& time, const ReducedLoad& load, const scene::Scen
     load.evaluate(scene, t, force);
     end = force.cast<Scalar>();
     const auto outcome = runtime::step<Scalar>(model, state, {begin, end}, Scalar(time.step), workspace);
-    cost.seconds += seconds_since(started);
-    cost.iterations += outcome.iterations;
-    cost.rejected += outcome.rejected;
+    const StepCost spent{t, seconds_since(started), outcome.iterations, outcome.rejected};
+    cost.add(spent);
+    recorder.cost(spent);
     if (outcome.status != runtime::Status::done)
       throw NumericalError("step " + std::to_string(n) + ", t = " + std::to_string(t) + " s, " + why(outcome.status));
     watch.add_work(outcome.work);
@@ -116,9 +116,9 @@ Cost statics_of(const scene::Scene& scene, const scene::Static& statics, const m
     load.evaluate(scene, t, force);
     end = force.cast<Scalar>();
     const auto outcome = runtime::solve_static<Scalar>(model, {begin, end, from, t}, z, workspace);
-    cost.seconds += seconds_since(started);
-    cost.iterations += outcome.iterations;
-    cost.rejected += outcome.rejected;
+    const StepCost spent{t, seconds_since(started), outcome.iterations, outcome.rejected};
+    cost.add(spent);
+    recorder.cost(spent);
     begin.swap(end);
     from = t;
     recorder.record(t, z.template cast<double>().eval());

@@ -40,6 +40,8 @@ void declare(CLI::App& app, RunOptions& options) {
       ->type_name("N")
       ->check(at_least(0));
   app.add_option("--every", options.every, "Write a frame every N steps")->type_name("N")->check(at_least(1));
+  app.add_option("--timing", options.timing, "Write what each step cost, without recording, as a table")
+      ->type_name("FILE.csv");
   app.add_flag_callback(
       "--single", [&] { options.precision = Precision::single; },
       "Compute in single precision (nonlinear models only)");
@@ -56,6 +58,8 @@ void refuse_contradictions(const RunOptions& options) {
   if (!options.scene.empty() && options.animate_mode)
     throw InputError("--scene and --animate-mode exclude each other: a mode swings without a scene");
   if (options.frames && options.every) throw InputError("--frames and --every exclude each other: keep one of them");
+  if (!options.timing.empty() && options.animate_mode)
+    throw InputError("--timing needs a scene: a mode swings without steps");
   if (options.every && options.animate_mode) throw InputError("--every needs a scene: for a mode say --frames N");
 }
 

@@ -18,6 +18,8 @@ void Recorder::add_probes(const std::vector<scene::Probe>& probes, Eigen::Matrix
   probes_.emplace(folder_ / "probes.csv", probes, std::move(matrix));
 }
 
+void Recorder::add_timing(const std::filesystem::path& path) { timing_.emplace(path); }
+
 void Recorder::record(double t, Eigen::Ref<const Eigen::VectorXd> z) {
   z_ = z;
   motion_.state(t, z);
@@ -34,9 +36,14 @@ const model::Points& Recorder::latest() {
   return displacement_;
 }
 
+void Recorder::cost(const StepCost& step) {
+  if (timing_) timing_->row(step);
+}
+
 void Recorder::commit() {
   motion_.commit();
   if (probes_) probes_->commit();
+  if (timing_) timing_->commit();
 }
 
 }  // namespace ritz::tools

@@ -1,4 +1,4 @@
-// Everything that a run leaves behind: motion.h5, motion.xdmf, probes.csv.
+// Everything that a run leaves behind: motion.h5, motion.xdmf, probes.csv, and the table of what its steps cost.
 #pragma once
 #include <optional>
 #include <vector>
@@ -6,6 +6,7 @@
 #include "ritz/model/model.hpp"
 #include "run_motion.hpp"
 #include "run_probes.hpp"
+#include "run_timing.hpp"
 
 namespace ritz::tools {
 
@@ -19,7 +20,12 @@ class Recorder {
   /// Has probes.csv written too, in the output's folder.
   void add_probes(const std::vector<scene::Probe>& probes, Eigen::MatrixXd matrix);
 
+  /// Has the table of the steps' cost written too.
+  void add_timing(const std::filesystem::path& path);
+
   void record(double t, Eigen::Ref<const Eigen::VectorXd> z);
+  /// Of the step that led to the state which is recorded next.
+  void cost(const StepCost& step);
 
   /// The displacements of the latest state, n x 3, m; of a body without vertices 0 x 3.
   const model::Points& latest();
@@ -32,6 +38,7 @@ class Recorder {
   std::filesystem::path folder_;
   MotionWriter motion_;
   std::optional<ProbeWriter> probes_;
+  std::optional<TimingWriter> timing_;
   std::vector<std::int64_t> frame_states_;
   std::size_t next_frame_ = 0;
   std::int64_t state_ = 0;

@@ -75,6 +75,19 @@ TEST(RunNonlinear, StaticsAreTheRootOfTheCubic) {
   }
 }
 
+TEST(RunNonlinear, TheTimingAddsUpToWhatIsSaid) {
+  const test::RunFolder folder;
+  auto options = folder.prepare("[time]\nstep = 0.1\nend = 2\n" + load(20 * root2), test::nonlinear_sample_model());
+  options.timing = folder / "timing.csv";
+  const auto said = test::run(options);
+  const auto rows = test::read_csv(folder / "timing.csv").rows;
+  ASSERT_EQ(rows.size(), 20u);
+  int iterations = 0;
+  for (const auto& row : rows) iterations += static_cast<int>(row[2]);
+  EXPECT_GE(iterations, 20);
+  EXPECT_THAT(said, HasSubstr(" " + std::to_string(iterations) + " Newton iterations"));
+}
+
 TEST(RunNonlinear, ALimitPointIsNamed) {
   const test::RunFolder folder;
   auto model = test::nonlinear_sample_model();

@@ -17,13 +17,14 @@ std::variant<RunOptions, Help> parse(std::vector<const char*> words) {
 }
 
 TEST(RunOptions, All) {
-  const auto o =
-      std::get<RunOptions>(parse({"model.h5", "--scene", "s.toml", "--output", "out/m.h5", "--every", "3", "--quiet"}));
+  const auto o = std::get<RunOptions>(
+      parse({"model.h5", "--scene", "s.toml", "--output", "out/m.h5", "--every", "3", "--timing", "t.csv", "--quiet"}));
   EXPECT_EQ(o.model, "model.h5");
   EXPECT_EQ(o.scene, "s.toml");
   EXPECT_EQ(o.output, "out/m.h5");
   EXPECT_EQ(o.every, 3);
   EXPECT_FALSE(o.frames);
+  EXPECT_EQ(o.timing, "t.csv");
   EXPECT_EQ(o.voice, Voice::quiet);
 }
 
@@ -37,7 +38,8 @@ TEST(RunOptions, AMode) {
 
 TEST(RunOptions, HelpNamesEveryOption) {
   const auto help = std::get<Help>(parse({"--help"})).text;
-  for (const auto* option : {"--scene", "--output", "--animate-mode", "--frames", "--every", "--single", "--quiet"})
+  for (const auto* option :
+       {"--scene", "--output", "--animate-mode", "--frames", "--every", "--timing", "--single", "--quiet"})
     EXPECT_THAT(help, HasSubstr(option));
 }
 
@@ -52,6 +54,7 @@ TEST(RunOptions, BadLines) {
       {{"m.h5", "--scene", "s", "--animate-mode", "1"}, "exclude each other"},
       {{"m.h5", "--scene", "s", "--frames", "1", "--every", "1"}, "exclude each other"},
       {{"m.h5", "--animate-mode", "1", "--every", "1"}, "--every needs a scene"},
+      {{"m.h5", "--animate-mode", "1", "--timing", "t.csv"}, "--timing needs a scene"},
       {{"m.h5", "--animate-mode", "0"}, "--animate-mode: '0' is not a whole number from 1 on"},
       {{"m.h5", "--scene", "s", "--frames", "-1"}, "--frames: '-1' is not a whole number from 0 on"},
       {{"m.h5", "--scene", "s", "--every", "0"}, "--every: '0' is not"},

@@ -102,6 +102,22 @@ TEST(Run, WithoutFramesNeedsNoBasis) {
   EXPECT_THAT(test::read_numbers(folder / "motion.h5", "/displacement").shape, IsEmpty());
 }
 
+TEST(Run, StepsAreTimedOneByOne) {
+  const test::RunFolder folder;
+  auto options = folder.prepare("[time]\nstep = 0.25\nend = 1\n");
+  options.timing = folder / "timing.csv";
+  test::run(options);
+  EXPECT_THAT(folder.outputs(), ElementsAre("motion.h5", "motion.xdmf", "timing.csv"));
+  const auto csv = test::read_csv(folder / "timing.csv");
+  EXPECT_EQ(csv.header, "t,microseconds,iterations,rejected");
+  ASSERT_EQ(csv.rows.size(), 4u);
+  for (std::size_t n = 0; n < 4; ++n) {
+    EXPECT_EQ(csv.rows[n][0], .25 * static_cast<double>(n + 1));
+    EXPECT_GT(csv.rows[n][1], 0);
+    EXPECT_EQ(csv.rows[n][2], 0);
+  }
+}
+
 TEST(Run, QuietSaysNothing) {
   const test::RunFolder folder;
   auto options = folder.prepare("[time]\nstep = 1\nend = 1\n");
@@ -189,7 +205,12 @@ TEST(RunRefuses, OutputsThatCannotBe) {
   auto options = folder.prepare("[time]\nstep = 1\nend = 1\n");
   const auto size = std::filesystem::file_size(options.model);
   options.output = options.model;
-  expect_refusal(folder, options, "would overwrite an input");
+  expect_refusal(folder, options, "--output");
+  options.output = folder / "motion.h5";
+  options.timing = options.model;
+  expect_refusal(folder, options, "--timing");
+  options.timing = folder / "nowhere" / "timing.csv";
+  expect_refusal(folder, options, "nowhere");
   EXPECT_EQ(std::filesystem::file_size(options.model), size);
   options.output = folder / "nowhere/motion.h5";
   expect_refusal(folder, options, "there is no folder");

@@ -1,0 +1,52 @@
+"""Runs the scenes and draws the report; scripts/report.sh calls it."""
+import argparse
+import hashlib
+import sys
+from pathlib import Path
+
+from report import campaign, page, programs, scenes
+from report.methods import FORMS
+from report.progress import Progress
+
+PROGRAMS = ("ritz-reduce", "ritz-run", "ritz-full")
+
+
+def build_of(folder):
+    """Names a build: rows of another one are not comparable."""
+    digest = hashlib.sha256()
+    for name in PROGRAMS:
+        digest.update((folder / name).read_bytes())
+    return digest.hexdigest()[:12]
+
+
+def main():
+    parser = argparse.ArgumentParser(prog="report.sh", description=__doc__)
+    parser.add_argument("--quick", action="store_const", const="quick", default="full", dest="form",
+                        help="fewer and smaller scenes, in under five minutes")
+    parser.add_argument("--output", default=Path("report"), type=Path, help="the folder of the report")
+    parser.add_argument("--bin", default=Path("build/default/bin"), type=Path, help="the folder of the programs")
+    options = parser.parse_args()
+    missing = [name for name in PROGRAMS if not (options.bin / name).exists()]
+    if missing:
+        parser.error(f"{options.bin} has no {missing[0]}: build it first")
+    options.output.mkdir(parents=True, exist_ok=True)
+    progress = Progress()
+    chosen = scenes.QUICK if options.form == "quick" else scenes.FULL
+    try:
+        campaign.run(campaign.start(chosen, FORMS[options.form], options.bin.resolve(), options.output.resolve(),
+                                    build_of(options.bin), progress))
+    except KeyboardInterrupt:
+        progress.end()
+        print("report.sh: interrupted; the same command goes on from here", file=sys.stderr)
+        return 130
+    except programs.Failed as failure:
+        progress.end()
+        print(f"report.sh: {failure}", file=sys.stderr)
+        return 1
+    progress.end()
+    print(page.write(options.output))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

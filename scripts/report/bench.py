@@ -1,0 +1,135 @@
+"""Where a scene is worked at: its files, its reduced models and its full motions, each made once and kept."""
+import csv
+import hashlib
+import json
+import os
+from dataclasses import dataclass
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+from report import body, programs
+from report.methods import BY_NAME
+from report.scenes import Scene
+
+
+def save(path, value):
+    """A JSON file that is whole or absent."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    part = path.with_suffix(".part")
+    part.write_text(json.dumps(value))
+    os.replace(part, path)
+
+
+def load(path):
+    return json.loads(path.read_text()) if path.exists() else None
+
+
+def probe(folder):
+    """Times and places (n x 3) of the probe, from probes.csv."""
+    with open(folder / "probes.csv", newline="") as file:
+        rows = np.array([[float(x) for x in row] for row in list(csv.reader(file))[1:]])
+    return rows[:, 0], rows[:, 1:4]
+
+
+def name_of(*parts):
+    return hashlib.sha256(json.dumps(parts).encode()).hexdigest()[:16]
+
+
+def cost_of(path, training, done, words):
+    """What ritz-reduce says of a model, and what the process cost, with the seconds that its training took."""
+    stages = {"training": training} if training else {}
+    with h5py.File(path) as file:
+        for name, seconds in zip(file["report/stages"][:], file["report/seconds"][:]):
+            stages[name.decode()] = stages.get(name.decode(), 0.0) + float(seconds)
+        names, values = file["report/figure_names"][:], file["report/figure_values"][:]
+        figures = {name.decode(): float(value) for name, value in zip(names, values)}
+        columns = int(file["bodies/body/basis"].attrs["column_count"])
+    return {"stages": stages, "seconds": training + done.seconds, "memory": figures["peak_memory_bytes"],
+            "bytes": path.stat().st_size, "columns": columns, "flags": " ".join(map(str, words)),
+            "error_force": figures.get("witness_force")}
+
+
+@dataclass(frozen=True)
+class Bench:
+    scene: Scene
+    bin: Path
+    folder: Path
+
+    @property
+    def shared(self):
+        """The folder of what scenes with the same body share."""
+        return self.folder.parent / "shared"
+
+    def problem(self):
+        """The options that the two parallel programs share."""
+        mesh = self.scene.mesh if isinstance(self.scene.mesh, str) else self.scene.mesh.write(self.shared / "meshes")
+        return ["-mesh", mesh, "-fix", self.scene.fixed, *self.scene.options]
+
+    def toml(self, step, integrator, loads=None):
+        text = self.scene.toml(step, integrator, self.scene.loads if loads is None else loads)
+        path = self.folder / "scenes" / f"{name_of(text)}.toml"
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+        return path
+
+    def every(self, step):
+        return round(self.scene.frame / step)
+
+    def body(self):
+        folder = self.shared / "bodies" / name_of(self.problem())
+        if not (folder / "model.h5").exists():
+            folder.mkdir(parents=True, exist_ok=True)
+            programs.run(self.bin / "ritz-reduce", [*self.problem(), "-modes", 1, "-export", "petsc", "-output",
+                                                    folder / "model.h5"], self.scene.ranks)
+            (folder / "model_K.bin").unlink()
+        return body.read(folder / "model.h5", folder / "model_M.bin", self.scene.fixed)
+
+    def full(self, step, integrator, loads=None):
+        """The folder of a motion of the full model and what it cost, as a dict. Raises programs.Failed."""
+        words = self.problem()
+        scene = self.toml(step, integrator, loads)
+        folder = self.folder / "full" / name_of(words, scene.name)
+        cost = load(folder / "cost.json")
+        if not cost:
+            cost = self.full_once(words, scene, folder, self.every(step), self.scene.count(step))
+            save(folder / "cost.json", cost)
+        return folder, cost
+
+    def full_once(self, words, scene, folder, every, steps):
+        folder.mkdir(parents=True, exist_ok=True)
+        done = programs.run(self.bin / "ritz-full", [*words, "-scene", scene, "-every", every, "-output",
+                                                     folder / "full.h5"], self.scene.ranks)
+        return {"seconds": done.stage("run"), "wall": done.seconds, "memory": done.memory, "steps": steps}
+
+    def training(self):
+        """The motion that POD learns from, at the middle step."""
+        return self.full(self.scene.middle, "avf" if self.scene.analysis == "time" else "", self.scene.training)
+
+    def model(self, method, knobs):
+        """The path of a reduced model and what it cost, as a dict. Raises programs.Failed."""
+        method = BY_NAME[method]
+        words = [word.format(k=knobs.k, r=knobs.r) for word in method.options]
+        learned = [self.scene.toml(self.scene.middle, "", self.scene.training)] if method.learns else []
+        folder = self.shared / "models" / name_of(self.problem(), words, learned)
+        path, cost = folder / "model.h5", load(folder / "cost.json")
+        if not cost:
+            folder.mkdir(parents=True, exist_ok=True)
+            training, snapshots = 0.0, []
+            if method.learns:
+                motion, spent = self.training()
+                training, snapshots = spent["wall"], ["-snapshots", motion / "full.h5"]
+            done = programs.run(self.bin / "ritz-reduce", [*self.problem(), *words, *snapshots, "-output", path],
+                                self.scene.ranks)
+            cost = cost_of(path, training, done, words)
+            save(folder / "cost.json", cost)
+        return path, cost
+
+    def reduced(self, model, step, integrator, precision, folder, frames):
+        """Runs a reduced model; `frames`: --every's or --frames' words."""
+        folder.mkdir(parents=True, exist_ok=True)
+        single = ["--single"] if precision == "single" else []
+        words = [model, "--scene", self.toml(step, integrator), "--output", folder / "motion.h5", "--timing",
+                 folder / "timing.csv", "--quiet", *single, *frames]
+        return programs.run(self.bin / "ritz-run", words)

@@ -1,0 +1,43 @@
+"""What rows of runs.csv say together: fronts, the time to reach an error, steps that pay a model back."""
+import math
+
+
+def done(rows):
+    return [row for row in rows if row["status"] == "done"]
+
+
+def failed(rows):
+    return [row for row in rows if row["status"] != "done"]
+
+
+def front(points):
+    """The indices of the (cost, error) pairs that no other one beats in both, cheap ones first."""
+    best, indices = math.inf, []
+    for index in sorted(range(len(points)), key=lambda i: points[i]):
+        if points[index][1] < best:
+            best = points[index][1]
+            indices.append(index)
+    return indices
+
+
+def to_reach(rows, error):
+    """Of the runs that are at most so wrong, the cheapest; None where there is none."""
+    good = [row for row in done(rows) if row["error_integrated"] <= error]
+    return min(good, key=lambda row: row["seconds"], default=None)
+
+
+def break_even(row, rows):
+    """After how many steps the making of the reduced model is paid back, against the full model with AVF at the same
+    step (or the nearest that was run); NaN where the full model is not slower, or was not run."""
+    full = [other for other in done(rows) if other["method"] == "full" and other["scene"] == row["scene"]
+            and other["integrator"] in ("avf", "")]
+    if not full or row["status"] != "done" or math.isnan(row["precompute_seconds"]):
+        return math.nan
+    beside = min(full, key=lambda other: abs(math.log(other["step"] / row["step"])))
+    saved = 1e-6 * (beside["microseconds"] - row["microseconds"])
+    return math.ceil(row["precompute_seconds"] / saved) if saved > 0 else math.nan
+
+
+def scenes(rows):
+    """Names in the order of the rows."""
+    return list(dict.fromkeys(row["scene"] for row in rows))

@@ -1,0 +1,149 @@
+"""index.html and the PNGs, from runs.csv and over_time.csv alone."""
+import html
+import io
+import math
+import re
+
+import matplotlib.pyplot as plt
+
+from report import compare, diagram, errors, pictures, table
+from report.methods import METHODS
+
+STYLE = """body{font:15px/1.5 sans-serif;max-width:1150px;margin:2em auto;padding:0 1em;color:#222}
+table{border-collapse:collapse;margin:1em 0;font-size:13px}
+td,th{border-bottom:1px solid #ddd;padding:.25em .7em;text-align:right}
+td:first-child,th:first-child{text-align:left}th{background:#f5f5f5}svg{max-width:100%;height:auto}
+dt{font-weight:bold}dd{margin:0 0 .5em 1.5em}caption{text-align:left;font-weight:bold;padding:.5em 0}"""
+
+INTRODUCTION = """Every error is against the full model on the same mesh at a refined step. Times are of stepping alone:
+medians of repetitions in which all runs take turns, one BLAS thread; reduced models run on one core, the full model and
+the precomputation on as many ranks as stands beside the scene. Compare times at equal error only: the time to reach
+1 %. Break-even steps are those after which a reduced model's precomputation is paid back, against the full model at the
+same step."""
+
+
+def cell(text):
+    return html.escape(str(text))
+
+
+def percent(value):
+    return "–" if math.isnan(value) else f"{100 * value:.3g} %"
+
+
+def number(value, unit=""):
+    return "–" if math.isnan(value) else f"{value:,.3g}{unit}".replace(",", " ")
+
+
+def rows_table(caption, heads, lines):
+    body = "".join("<tr>" + "".join(f"<td>{cell(x)}</td>" for x in line) + "</tr>\n" for line in lines)
+    return (f"<table><caption>{cell(caption)}</caption>\n<tr>" + "".join(f"<th>{cell(head)}</th>" for head in heads) +
+            f"</tr>\n{body}</table>\n")
+
+
+def svg(name, figure):
+    """The element alone, without metadata that names other places; the same figure gives the same text."""
+    out = io.StringIO()
+    with plt.rc_context({"svg.hashsalt": name}):
+        figure.savefig(out, format="svg", metadata={"Date": None})
+    text = out.getvalue()
+    return re.sub("<metadata>.*?</metadata>", "", text[text.index("<svg"):], flags=re.DOTALL)
+
+
+def picture(folder, name, figure):
+    figure.savefig(folder / f"{name}.png", dpi=110)
+    text = svg(name, figure)
+    plt.close(figure)
+    return text
+
+
+def reach_table(rows):
+    lines = []
+    for method in METHODS:
+        row = compare.to_reach([row for row in rows if row["method"] == method.name], 0.01)
+        if row:
+            lines.append((method.title, diagram.knobs(row), row["integrator"], row["precision"], number(row["step"]),
+                          percent(row["error_integrated"]), number(row["seconds"], " s"), number(row["microseconds"]),
+                          number(row["microseconds_p99"]), number(row["precompute_seconds"], " s"),
+                          number(compare.break_even(row, rows))))
+        elif any(row["method"] == method.name for row in rows):
+            lines.append((method.title, "", "", "", "", "not reached", "", "", "", "", ""))
+    return rows_table("Time to reach an error of 1 %", ("method", "knobs", "integrator", "precision", "step", "error",
+                      "time of stepping", "µs a step", "p99", "precomputation", "break-even steps"), lines)
+
+
+def summary_table(rows):
+    """A row a scene, a column a method: the time to 1 %."""
+    names = [method.name for method in METHODS if any(row["method"] == method.name for row in rows)]
+    lines = []
+    for scene in compare.scenes(rows):
+        here = [row for row in rows if row["scene"] == scene]
+        best = [compare.to_reach([row for row in here if row["method"] == name], 0.01) for name in names]
+        times = ("not reached" if row is None else number(row["seconds"], " s") for row in best)
+        lines.append((here[0]["title"], *times))
+    heads = ("scene", *(diagram.TITLES[name] for name in names))
+    return rows_table("Time of stepping to reach an error of 1 %", heads, lines)
+
+
+def cost_table(rows):
+    chosen = [row for row in compare.done(rows) if row["sweep"] == "basis"]
+    titles = diagram.TITLES
+    lines = [(titles[row["method"]], diagram.knobs(row), number(row["columns"]), percent(row["error_integrated"]),
+              percent(row["error_max"]), percent(row["error_frequency"]), number(row["error_force"]),
+              f"{number(row['microseconds'])} ({number(row['microseconds_q1'])} … {number(row['microseconds_q3'])})",
+              number(row["microseconds_p99"]), number(row["precompute_seconds"], " s"), row["precompute_stages"],
+              number(row["precompute_memory"] / 1e6), number(row["run_memory"] / 1e6), number(row["file_bytes"] / 1e6),
+              number(compare.break_even(row, rows)), number(row["repetitions"])) for row in chosen]
+    return rows_table("Costs at one step", ("method", "knobs", "columns", "error", "largest", "frequency", "force",
+                      "µs a step (quartiles)", "p99", "precomputation", "its stages, s", "its memory, MB",
+                      "the run's, MB", "file, MB", "break-even steps", "repetitions"), lines)
+
+
+def omissions(rows):
+    lines = [(row["scene"], diagram.TITLES[row["method"]], diagram.knobs(row), row["integrator"], row["precision"],
+              number(row["step"]), row["reason"]) for row in compare.failed(rows)]
+    if not lines:
+        return "<p>No run failed.</p>"
+    heads = ("scene", "method", "knobs", "integrator", "precision", "step", "reason")
+    return rows_table("Runs that failed", heads, lines)
+
+
+def scene_part(folder, rows, frames):
+    name, first = rows[0]["scene"], rows[0]
+    text = (f"<h2>{cell(first['title'])}</h2>\n<p>{first['vertices']:.0f} vertices, {first['cells']:.0f} cells, "
+            f"{first['dofs']:.0f} degrees of freedom; ritz-reduce and ritz-full on {first['ranks']:.0f} rank(s). "
+            f"Reference: the full model, {'AVF, step' if first['analysis'] == 'time' else 'load step'} "
+            f"{number(first['reference_step'])}; its floor {percent(first['floor'])}. "
+            f"The mesh's part of the error: {percent(first['error_mesh'])} "
+            f"(against {cell(first['mesh_compared'] or 'another')} mesh).</p>\n")
+    if not compare.done(rows):
+        return text + "<p>No run was finished.</p>"
+    keys = {row["key"] for row in rows}
+    here = [frame for frame in frames if frame["key"] in keys]
+    return text + "\n".join((
+        picture(folder, f"{name}_work_precision", pictures.work_precision(rows)), reach_table(rows),
+        picture(folder, f"{name}_over_time", pictures.over_time(rows, here)),
+        picture(folder, f"{name}_parts", pictures.parts(rows)), cost_table(rows)))
+
+
+def by_load(folder, rows):
+    """The picture over the load, where scenes of one family were run with several factors."""
+    if len({row["load_factor"] for row in rows}) < 2:
+        return ""
+    family = next(row["scene"] for row in rows if row["load_factor"] != 1).split("_x")[0]
+    chosen = [row for row in rows if row["scene"].split("_x")[0] == family]
+    return picture(folder, f"{family}_over_load", pictures.over_load(chosen))
+
+
+def write(folder):
+    """Returns the path of index.html."""
+    rows, frames = table.read(folder / "runs.csv"), table.read(folder / "over_time.csv")
+    definitions = "".join(f"<dt>{cell(name)}</dt><dd>{cell(text)}</dd>\n" for name, text in errors.DEFINITIONS.items())
+    parts = [scene_part(folder, [row for row in rows if row["scene"] == scene], frames)
+             for scene in compare.scenes(rows)]
+    versions = cell(f"{rows[0]['versions']}; build {rows[0]['program']}") if rows else ""
+    text = (f"<!DOCTYPE html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>Error against run time</title>\n"
+            f"<style>{STYLE}</style>\n<h1>Error against run time</h1>\n<p>{versions}</p>\n<p>{INTRODUCTION}</p>\n"
+            f"{summary_table(rows)}\n{by_load(folder, rows)}\n" + "\n".join(parts) +
+            f"<h2>Omissions</h2>\n{omissions(rows)}\n<h2>Definitions</h2>\n<dl>{definitions}</dl>\n</html>\n")
+    (folder / "index.html").write_text(text)
+    return folder / "index.html"

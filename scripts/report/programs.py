@@ -1,0 +1,48 @@
+"""Runs of the programs: one process, what it cost, and the one sentence that it fails with."""
+import os
+import re
+import subprocess
+import time
+from dataclasses import dataclass
+
+ENVIRONMENT = dict(os.environ, OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1")
+
+
+class Failed(Exception):
+    """A sentence that says why; `seconds` on the wall until then, 0 where nothing was measured."""
+
+    def __init__(self, reason, seconds=0.0):
+        super().__init__(reason)
+        self.seconds = seconds
+
+
+@dataclass(frozen=True)
+class Done:
+    text: str
+    seconds: float  # on the wall
+    memory: float  # bytes at the most: of the largest process, times the ranks
+
+    def stage(self, name):
+        """Seconds of a stage that the program names."""
+        return float(re.search(rf"\b{name} +([0-9.]+) s", self.text)[1])
+
+
+def sentence(text):
+    """The line of stderr in which a program complains."""
+    lines = [line for line in text.splitlines() if line.startswith("ritz-")] or text.splitlines() or ["no reason given"]
+    return lines[0]
+
+
+def run(program, words, ranks=1):
+    launcher = ["mpirun", "-n", str(ranks)] if ranks > 1 else []
+    start = time.perf_counter()
+    process = subprocess.Popen([*launcher, program, *map(str, words)], env=ENVIRONMENT, text=True,
+                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    with process.stdout as stream:
+        text = stream.read()
+    _, status, usage = os.wait4(process.pid, 0)
+    process.returncode = os.waitstatus_to_exitcode(status)
+    seconds = time.perf_counter() - start
+    if process.returncode:
+        raise Failed(sentence(text), seconds)
+    return Done(text, seconds, 1024.0 * usage.ru_maxrss * ranks)

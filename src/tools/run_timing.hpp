@@ -1,0 +1,34 @@
+// What each step cost, as a table: --timing FILE.csv.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+
+#include "part_file.hpp"
+
+namespace ritz::tools {
+
+/// A step, or a load step of statics: its load and its solution, without recording.
+struct StepCost {
+  double t;  ///< s (statics: the load fraction) at its end
+  double seconds;
+  std::int64_t iterations = 0;  ///< Newton's, of nonlinear models
+  std::int64_t rejected = 0;    ///< parts that did not converge and were halved
+};
+
+/// t,microseconds,iterations,rejected with a row a step.
+class TimingWriter {
+ public:
+  /// Throws InputError when the file cannot be created.
+  explicit TimingWriter(const std::filesystem::path& path);
+
+  void row(const StepCost& step);
+  /// Throws std::runtime_error when not all could be written.
+  void commit();
+
+ private:
+  PartFile file_;
+  std::ofstream out_;
+};
+
+}  // namespace ritz::tools

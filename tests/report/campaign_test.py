@@ -1,0 +1,125 @@
+"""Finished runs are not run again, whatever the moment of the interruption; what fails is a row."""
+import io
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+from types import SimpleNamespace
+from unittest import mock
+
+from support import row  # noqa: F401  (puts the package on the path)
+from report import campaign, programs, scenes, table
+from report.methods import Form
+from report.progress import Progress
+from report.scenes import Limits
+
+FORM = Form(3, 100.0, Limits(methods=("linear", "derivatives"), sweeps=("basis",)))
+FOUND = SimpleNamespace(body=SimpleNamespace(facts={"cells": 7}), facts={"floor": 1e-3})
+
+
+class Stopped(KeyboardInterrupt):
+    pass
+
+
+class Campaigns(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.output = Path(temporary.name)
+        self.judged, self.timed, self.stop_after = [], [], None
+
+    def count(self, log, key):
+        if self.stop_after is not None and len(self.judged) + len(self.timed) >= self.stop_after:
+            raise Stopped
+        log.append(key)
+
+    def judge(self, bench, found, run, key):
+        self.count(self.judged, key)
+        if run.method == "linear" and run.knobs.k == 4:
+            return {"status": "failed", "reason": "the step does not converge", "seconds": 0.5}, []
+        return {"status": "done", "reason": "", "error_integrated": 0.1}, [(0.0, 0.0), (1.0, 0.1)]
+
+    def sample(self, bench, run, key):
+        self.count(self.timed, key)
+        n = len(self.timed)
+        return {"seconds": 1.0 * n, "median": 10.0 * n, "p99": 20.0, "iterations": 5, "rejected": 0, "memory": 1e6}
+
+    def run_it(self, program="build"):
+        chosen = (scenes.QUICK[0],)
+        with mock.patch.object(campaign.reference, "find", lambda bench: FOUND), \
+                mock.patch.object(campaign.trial, "judge", self.judge), \
+                mock.patch.object(campaign.trial, "sample", self.sample):
+            campaign.run(campaign.start(chosen, FORM, self.output, self.output, program, Progress(io.StringIO())))
+
+    def rows(self):
+        return table.read(self.output / "runs.csv")
+
+    def test_rows(self):
+        self.run_it()
+        rows = self.rows()
+        self.assertEqual(len(rows), 12)
+        failed = [one for one in rows if one["status"] == "failed"]
+        self.assertEqual([one["reason"] for one in failed], ["the step does not converge"])
+        done = next(one for one in rows if one["status"] == "done")
+        samples = [10.0 * (i + 1) for i, key in enumerate(self.timed) if key == done["key"]]
+        self.assertEqual((done["repetitions"], done["microseconds"]), (3, sorted(samples)[1]))
+        self.assertEqual(done["cells"], 7)
+        self.assertEqual(len(table.read(self.output / "over_time.csv")), 2 * 11)
+
+    def test_methods_take_turns(self):
+        self.run_it()
+        for repetition in range(3):
+            self.assertEqual(len(set(self.timed[11 * repetition:11 * (repetition + 1)])), 11)
+        self.assertNotEqual(self.timed[:11], self.timed[11:22])
+
+    def test_finished_runs_are_not_run_again(self):
+        self.run_it()
+        before = (self.output / "runs.csv").read_bytes()
+        self.judged, self.timed = [], []
+        self.run_it()
+        self.assertEqual((self.judged, self.timed), ([], []))
+        self.assertEqual((self.output / "runs.csv").read_bytes(), before)
+
+    def test_an_interruption_loses_nothing(self):
+        for self.stop_after in (5, 12, 20, 44):
+            with self.assertRaises(Stopped):
+                self.run_it()
+            self.assertEqual(len(self.judged) + len(self.timed), self.stop_after)
+        self.stop_after = None
+        self.run_it()
+        self.assertEqual(len(self.judged), 12)
+        self.assertEqual(len(self.timed), 33)
+        self.assertEqual(len(self.rows()), 12)
+
+    def test_another_build_runs_anew(self):
+        self.run_it()
+        self.run_it("another build")
+        self.assertEqual(len(self.judged), 24)
+        self.assertEqual({one["program"] for one in self.rows()}, {"another build"})
+
+    def test_long_runs_are_repeated_less(self):
+        samples = lambda n, seconds: [{"seconds": seconds}] * n  # noqa: E731
+        self.assertFalse(campaign.enough(samples(1, 99.0), 1, FORM))
+        self.assertTrue(campaign.enough(samples(1, 101.0), 1, FORM))
+        self.assertTrue(campaign.enough(samples(2, 1.0), 1, FORM))
+
+
+class Programs(unittest.TestCase):
+    def test_a_failure_carries_the_program_s_sentence(self):
+        words = ["-c", "echo warning: mind >&2; echo ritz-run: step 3 does not converge >&2; exit 1"]
+        with self.assertRaisesRegex(programs.Failed, "^ritz-run: step 3 does not converge$") as caught:
+            programs.run("/bin/bash", words)
+        self.assertGreater(caught.exception.seconds, 0)
+
+    def test_a_killed_program_fails_too(self):
+        with self.assertRaises(programs.Failed):
+            programs.run("/bin/bash", ["-c", "kill -9 $$"])
+
+    def test_seconds_and_memory(self):
+        done = programs.run("/bin/bash", ["-c", "echo 'run  1.25 s'"])
+        self.assertEqual(done.stage("run"), 1.25)
+        self.assertGreater(done.memory, 1e5)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

@@ -1,0 +1,44 @@
+"""Fronts, the time to an error, the steps that pay a model back."""
+import math
+import random
+import sys
+import unittest
+
+from support import row
+from report import compare
+
+
+class Compare(unittest.TestCase):
+    def test_front(self):
+        points = [(3, 1.0), (1, 5.0), (2, 5.0), (2, 2.0), (4, 1.0), (5, 0.5)]
+        self.assertEqual(compare.front(points), [1, 3, 0, 5])
+        self.assertEqual(compare.front([]), [])
+
+    def test_nothing_beats_the_front(self):
+        chance = random.Random(1)
+        points = [(chance.random(), chance.random()) for _ in range(200)]
+        front = set(compare.front(points))
+        for i, (cost, error) in enumerate(points):
+            beaten = any(c <= cost and e <= error and (c, e) != (cost, error) for c, e in points)
+            self.assertEqual(i in front, not beaten)
+
+    def test_time_to_an_error_is_of_runs_that_reach_it(self):
+        rows = [row(key="wrong", seconds=1e-6, error_integrated=0.02),
+                row(key="slow", seconds=2, error_integrated=0.001),
+                row(key="good", seconds=1, error_integrated=0.01),
+                row(key="failed", status="failed", seconds=1e-9, error_integrated=0.0)]
+        self.assertEqual(compare.to_reach(rows, 0.01)["key"], "good")
+        self.assertIsNone(compare.to_reach(rows, 1e-4))
+
+    def test_break_even(self):
+        full = row(method="full", microseconds=5010.0, precompute_seconds=math.nan)
+        other = row(method="full", microseconds=1.0, scene="another")
+        reduced = row(microseconds=10.0, precompute_seconds=2.0)
+        self.assertEqual(compare.break_even(reduced, [full, other, reduced]), 400)
+        self.assertTrue(math.isnan(compare.break_even(reduced, [other, reduced])))
+        self.assertTrue(math.isnan(compare.break_even(row(microseconds=6000.0), [full])))
+        self.assertTrue(math.isnan(compare.break_even(full, [full])))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
