@@ -10,9 +10,12 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 words=()
+form=full
 while (($#)); do
   case $1 in
-    --quick) words+=(--quick) ;;
+    --quick)
+      form=quick
+      words+=(--quick) ;;
     --output)
       [[ -n ${2:-} ]] || fail "--output wants a folder."
       words+=(--output "$(realpath -m "$2")")
@@ -27,4 +30,10 @@ install_packages
 prepare_environment
 quietly cmake --preset default
 build build/default --target ritz-reduce ritz-run ritz-full
+if [[ $form == full ]]; then
+  quietly cmake --preset runtime-only
+  build build/runtime-only
+  quietly cmake --install build/runtime-only --prefix build/runtime-only/installed
+  words+=(--runtime build/runtime-only/installed)
+fi
 PYTHONPATH=$root/scripts exec /usr/bin/python3 -m report "${words[@]}"

@@ -4,7 +4,7 @@ import hashlib
 import sys
 from pathlib import Path
 
-from report import campaign, page, programs, scenes
+from report import campaign, lean, page, programs, scenes
 from report.methods import FORMS
 from report.progress import Progress
 
@@ -25,6 +25,7 @@ def main():
                         help="fewer and smaller scenes, in under five minutes")
     parser.add_argument("--output", default=Path("report"), type=Path, help="the folder of the report")
     parser.add_argument("--bin", default=Path("build/default/bin"), type=Path, help="the folder of the programs")
+    parser.add_argument("--runtime", type=Path, help="a folder where the runtime alone is installed, to be measured")
     options = parser.parse_args()
     missing = [name for name in PROGRAMS if not (options.bin / name).exists()]
     if missing:
@@ -32,9 +33,11 @@ def main():
     options.output.mkdir(parents=True, exist_ok=True)
     progress = Progress()
     chosen = scenes.QUICK if options.form == "quick" else scenes.FULL
+    program = build_of(options.bin)
     try:
+        lean.run(options.bin.resolve(), options.output.resolve(), options.form, program, options.runtime, progress.say)
         campaign.run(campaign.start(chosen, FORMS[options.form], options.bin.resolve(), options.output.resolve(),
-                                    build_of(options.bin), progress))
+                                    program, progress))
     except KeyboardInterrupt:
         progress.end()
         print("report.sh: interrupted; the same command goes on from here", file=sys.stderr)

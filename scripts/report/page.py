@@ -1,4 +1,4 @@
-"""index.html and the PNGs, from runs.csv and over_time.csv alone."""
+"""index.html and the PNGs, from runs.csv, over_time.csv and lean.csv alone."""
 import html
 import io
 import math
@@ -6,7 +6,7 @@ import re
 
 import matplotlib.pyplot as plt
 
-from report import compare, diagram, errors, pictures, table
+from report import compare, diagram, errors, lean, pictures, table
 from report.methods import METHODS
 
 STYLE = """body{font:15px/1.5 sans-serif;max-width:1150px;margin:2em auto;padding:0 1em;color:#222}
@@ -134,6 +134,17 @@ def by_load(folder, rows):
     return picture(folder, f"{family}_over_load", pictures.over_load(chosen))
 
 
+def lean_table(folder):
+    rows = lean.read(folder / "lean.csv")
+    scaled = lambda row, column, scale: number(float(row[column]) / scale) if row[column] else "–"
+    lines = [(row["kind"], row["options"], row["stages"], scaled(row, "seconds", 1), scaled(row, "memory_bytes", 1e6),
+              scaled(row, "file_bytes", 1e6), scaled(row, "load_seconds", 1e-3), scaled(row, "resident_bytes", 1e6))
+             for row in rows]
+    heads = ("kind of scene", "options", "stages that ran", "seconds", "memory, MB", "file, MB",
+             "ritz-run: load and one step, ms", "resident, MB")
+    return rows_table(f"What each kind of scene needs (a beam, {lean.BEAMS[rows[0]['form']]})", heads, lines) if rows else ""
+
+
 def write(folder):
     """Returns the path of index.html."""
     rows, frames = table.read(folder / "runs.csv"), table.read(folder / "over_time.csv")
@@ -144,6 +155,6 @@ def write(folder):
     text = (f"<!DOCTYPE html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>Error against run time</title>\n"
             f"<style>{STYLE}</style>\n<h1>Error against run time</h1>\n<p>{versions}</p>\n<p>{INTRODUCTION}</p>\n"
             f"{summary_table(rows)}\n{by_load(folder, rows)}\n" + "\n".join(parts) +
-            f"<h2>Omissions</h2>\n{omissions(rows)}\n<h2>Definitions</h2>\n<dl>{definitions}</dl>\n</html>\n")
+            f"<h2>Omissions</h2>\n{omissions(rows)}\n{lean_table(folder)}\n<h2>Definitions</h2>\n<dl>{definitions}</dl>\n</html>\n")
     (folder / "index.html").write_text(text)
     return folder / "index.html"

@@ -1,0 +1,120 @@
+"""What each kind of scene costs, beside the full set of parts; and what the runtime takes to load each kind of model.
+
+lean.csv has a row a kind; the columns that a row does not have are empty."""
+import csv
+import os
+from dataclasses import dataclass
+
+import h5py
+
+from report import programs
+
+MATERIAL = ("-material_young", "1e6", "-material_poisson", "0.3", "-material_density", "1000")
+BEAMS = {"quick": "box:1,0.1,0.06/16,3,2/tet10", "full": "box:1,0.1,0.06/40,6,4/tet10"}
+STATIC = "[static]\nsteps = 4\n[[load]]\nset = 'xmax'\ntotal = [0, 0, -1]\n[[probe]]\nname = 'tip'\nset = 'xmax'\n"
+ONE_STEP = STATIC.replace("[static]\nsteps = 4", "[time]\nstep = 1e-3\nend = 1e-3")
+RANKS, REPETITIONS = 2, 10
+COLUMNS = ("program", "form", "kind", "options", "stages", "groups", "seconds", "memory_bytes", "file_bytes",
+           "load_seconds", "resident_bytes")
+
+
+@dataclass(frozen=True)
+class Kind:
+    title: str
+    options: tuple  # ritz-reduce's
+    run: tuple = ()  # ritz-run's, beyond the model and the scene
+
+
+HELD = ("-fix", "xmin")
+NONLINEAR = (*HELD, "-modes", "20", "-derivatives", "10", "-basis", "20", "-polynomial")
+KINDS = (
+    Kind("linear", (*HELD, "-modes", "20")),
+    Kind("linear, surface output", (*HELD, "-modes", "20", "-surface_only")),
+    Kind("linear, free body", ("-fix", "none", "-modes", "20")),
+    Kind("statics only, from full solutions", (*HELD, "-modes", "0", "-snapshots", "static.h5", "-polynomial")),
+    Kind("nonlinear", NONLINEAR),
+    Kind("nonlinear, surface output", (*NONLINEAR, "-surface_only")),
+    Kind("nonlinear, run as linear", NONLINEAR, ("--linear",)),
+    Kind("the full set", (*HELD, "-modes", "20", "-derivatives", "20", "-basis", "40", "-polynomial")),
+)
+
+
+def reduced(bin_folder, folder, body, kind):
+    """Reduces, and reads off the model what that took."""
+    model = folder / "model.h5"
+    words = [folder / word if word == "static.h5" else word for word in kind.options]
+    programs.run(bin_folder / "ritz-reduce", [*body, *words, "-output", model, "-quiet"], RANKS)
+    with h5py.File(model) as file:
+        stages = [name.decode() for name in file["report/stages"][:]]
+        seconds = float(sum(file["report/seconds"][:]))
+        figures = dict(zip((name.decode() for name in file["report/figure_names"][:]), file["report/figure_values"][:]))
+        groups = sorted(file["bodies/body"])
+    return {"stages": " ".join(stages), "groups": " ".join(groups), "seconds": seconds,
+            "memory_bytes": figures["peak_memory_bytes"], "file_bytes": model.stat().st_size}
+
+
+def median(values):
+    return sorted(values)[len(values) // 2]
+
+
+def loaded(bin_folder, words):
+    """ritz-run, which reads what one step needs and takes it: median seconds, and bytes resident at the most."""
+    runs = [programs.run(bin_folder / "ritz-run", words) for _ in range(REPETITIONS)]
+    return {"load_seconds": median([run.seconds for run in runs]),
+            "resident_bytes": median([run.memory for run in runs])}
+
+
+def run_words(folder, kind):
+    return [folder / "model.h5", "--scene", folder / "one_step.toml", "--frames", "0", "--output", folder / "motion.h5",
+            "--quiet", *kind.run]
+
+
+def measure(bin_folder, folder, form, say):
+    """A list of rows. `say(text)` is called before each."""
+    folder.mkdir(parents=True, exist_ok=True)
+    body = ("-mesh", BEAMS[form], *MATERIAL)
+    (folder / "static.toml").write_text(STATIC)
+    (folder / "one_step.toml").write_text(ONE_STEP)
+    say("what kinds of scenes need: full statics")
+    programs.run(bin_folder / "ritz-full", [*body, *HELD, "-scene", folder / "static.toml", "-output",
+                                            folder / "static.h5", "-quiet"], RANKS)
+    rows = [{"kind": "ritz-run alone (--help)", **loaded(bin_folder, ["--help"])}]
+    for kind in KINDS:
+        say(f"what kinds of scenes need: {kind.title}")
+        row = {"kind": kind.title, "options": " ".join((*kind.options, *kind.run))}
+        rows.append(row | reduced(bin_folder, folder, body, kind) | loaded(bin_folder, run_words(folder, kind)))
+    return rows
+
+
+def size_of(folder):
+    """Bytes of all files below, links not followed."""
+    return sum(path.lstat().st_size for path in folder.rglob("*") if path.is_file() and not path.is_symlink())
+
+
+def read(path):
+    if not path.exists():
+        return []
+    with open(path, newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def write(path, rows):
+    part = path.with_suffix(".part")
+    with open(part, "w", newline="") as file:
+        table = csv.DictWriter(file, COLUMNS)
+        table.writeheader()
+        table.writerows(rows)
+    os.replace(part, path)
+
+
+def run(bin_folder, output, form, program, runtime, say):
+    """Writes lean.csv unless it is there, of this build and form. `runtime`: a folder where the runtime alone is
+    installed, or None."""
+    path = output / "lean.csv"
+    known = read(path)
+    if known and all((row["program"], row["form"]) == (program, form) for row in known):
+        return
+    rows = measure(bin_folder, output / "work" / program / "lean", form, say)
+    if runtime:
+        rows.append({"kind": "the runtime, installed (RITZ_PRECOMPUTE=OFF)", "file_bytes": size_of(runtime)})
+    write(path, [{"program": program, "form": form, **row} for row in rows])
