@@ -1,4 +1,6 @@
 """What work-precision diagrams are drawn of."""
+import math
+
 from report import compare
 from report.methods import METHODS
 
@@ -7,7 +9,7 @@ COLOURS = {method.name: PALETTE[i % len(PALETTE)] for i, method in enumerate(MET
 TITLES = {method.name: method.title for method in METHODS}
 MARKS = {"": "o", "exact": "*", "avf": "o", "newmark": "s", "generalized-alpha": "D", "bdf2": "^",
          "implicit-euler": "v", "central-difference": "P"}
-LARGEST = 3.0  # the error at the upper edge; crosses stand there
+LEAST, LARGEST = 1e-6, 3.0  # errors at the edges; crosses stand at the upper one
 REAL = dict(color="0.55", linewidth=1, linestyle=":")
 
 
@@ -39,8 +41,9 @@ def one_percent(axes):
     axes.annotate("1 %", (0.004, 0.01), xycoords=("axes fraction", "data"), fontsize=7, color="#2e86ab", va="bottom")
 
 
-def frame(axes, rows):
-    """The Pareto front of all runs, the real-time line, the reference's floor, and a cross for each failure."""
+def frame(axes, rows, shown):
+    """The Pareto front of all rows, the real-time line, the reference's floor, and a cross for each failure among those
+    that are shown."""
     axes.set(xscale="log", yscale="log")
     points = [(row["seconds"], row["error_integrated"]) for row in compare.done(rows)]
     best = [points[i] for i in compare.front(points)]
@@ -50,20 +53,24 @@ def frame(axes, rows):
         axes.axvline(rows[0]["end"], **REAL)
         axes.annotate("real time", (rows[0]["end"], 0.98), xycoords=("data", "axes fraction"), rotation=90, fontsize=7,
                       color="0.4", ha="right", va="top")
-    axes.axhline(rows[0]["floor"], **REAL)
-    axes.annotate("the reference's floor", (0.004, rows[0]["floor"]), xycoords=("axes fraction", "data"), fontsize=7,
+    floor = max(rows[0]["floor"], LEAST)
+    axes.axhline(floor, **REAL)
+    axes.annotate("the reference's floor", (0.004, floor), xycoords=("axes fraction", "data"), fontsize=7,
                   color="0.4", va="top")
-    bad = [row["seconds"] for row in compare.failed(rows) if row["seconds"] > 0]
+    bad = [row["seconds"] for row in compare.failed(shown) if row["seconds"] > 0]
     if bad:
         axes.plot(bad, [LARGEST] * len(bad), "x", color="#b00020", clip_on=False, zorder=5,
                   label="failed (time until then)")
     one_percent(axes)
-    axes.set_ylim(top=LARGEST)
+    axes.set_ylim(max(LEAST, 0.5 * min(floor, *(error for _, error in points))), LARGEST)
 
 
-def line(axes, rows, label, point):
+CLOSE = (0.2, 0.06)  # decades of time and of error within which a second label would cover the first
+
+
+def line(axes, rows, label, point, labelled):
     """A line through runs, from small to large and coarse to fine, with the quartiles of their time. `point`: what is
-    written at a point; of a sweep of steps, at its ends alone."""
+    written at a point, unless one of the places in `labelled` is too close; adds its own."""
     good = sorted(compare.done(rows), key=lambda row: (row["k"], row["r"], -row["step"]))
     if not good:
         return
@@ -74,7 +81,10 @@ def line(axes, rows, label, point):
                         [max(0, row["seconds_q3"] - row["seconds"]) for row in good]],
                   linewidth=1, markersize=4, elinewidth=0.8, label=label,
                   linestyle="--" if first["precision"] == "single" else "-")
-    named = good if point is knobs else [row for row in (good[0], good[-1]) if row["precision"] == "double"]
-    for row in named:
+    for row in good:
+        place = math.log10(row["seconds"]), math.log10(row["error_integrated"])
+        if any(all(abs(a - b) < width for a, b, width in zip(place, other, CLOSE)) for other in labelled):
+            continue
+        labelled.append(place)
         axes.annotate(point(row), (row["seconds"], row["error_integrated"]), xytext=(4, 3), textcoords="offset points",
                       fontsize=6.5, color=colour)

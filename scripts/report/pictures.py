@@ -17,15 +17,17 @@ def work_precision(rows):
     full = [row for row in rows if row["method"] == "full" and row["integrator"] in ("avf", "")]
     sizes = [row for row in rows if row["sweep"] == "basis" and row["method"] != "full"] + full
     steps = [row for row in rows if size_of(row) in swept and row["method"] not in ("linear_polynomial", "pod")]
-    diagram.frame(above, rows)
+    diagram.frame(above, rows, sizes)
+    labelled = []
     for method in dict.fromkeys(row["method"] for row in sizes):
         line = [row for row in sizes if row["method"] == method]
-        diagram.line(above, line, TITLES[method], diagram.step if method == "full" else diagram.knobs)
+        diagram.line(above, line, TITLES[method], diagram.step if method == "full" else diagram.knobs, labelled)
     above.set_title(f"The size of the model, at a step of {diagram.step(sizes[0])}", loc="left")
-    diagram.frame(below, rows)
+    diagram.frame(below, rows, steps)
+    labelled = []
     for kind in dict.fromkeys((row["method"], row["integrator"], row["precision"]) for row in steps):
         line = [row for row in steps if (row["method"], row["integrator"], row["precision"]) == kind]
-        diagram.line(below, line, diagram.kind(line[0]), diagram.step)
+        diagram.line(below, line, diagram.kind(line[0]), diagram.step, labelled)
     below.set_title("The step and the integrator, at one size of each model", loc="left")
     for axes in (above, below):
         axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
