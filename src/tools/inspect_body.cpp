@@ -13,8 +13,8 @@ namespace ritz::tools {
 
 namespace {
 
-std::string heading(const char* part) { return "\n  " + padded(part, 10); }
-std::ostream& item(std::ostream& out) { return out << "            "; }
+std::string heading(const char* part) { return "\n  " + padded(part, 12); }
+std::ostream& item(std::ostream& out) { return out << "              "; }
 
 std::string cell_name(std::uint8_t vtk) {
   switch (vtk) {
