@@ -10,8 +10,6 @@
 namespace ritz::app {
 namespace {
 
-constexpr Eigen::Index most_coordinates = 150;  ///< of a polynomial: its quartic part then has 22 million numbers
-
 double figure(const stages::Figures& figures, const std::string& name) {
   for (const auto& [key, value] : figures)
     if (key == name) return value;

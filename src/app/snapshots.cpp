@@ -104,13 +104,18 @@ std::unique_ptr<Snapshots> open(const std::filesystem::path& file) {
   return std::make_unique<Hdf5Snapshots>(file);
 }
 
-petsc::Tall read_rows(const std::filesystem::path& file, const mesh::Mesh& mesh) {
-  const auto in = open(file);
+std::unique_ptr<Snapshots> open_for(const mesh::Mesh& mesh, const std::filesystem::path& file) {
+  auto in = open(file);
   if (in->length != 3 * mesh.vertices_total)
     refuse(file, "its vectors have " + std::to_string(in->length) + " numbers, but the mesh has " +
                      std::to_string(mesh.vertices_total) + " vertices, so they must have " +
                      std::to_string(3 * mesh.vertices_total));
   if (in->count == 0) refuse(file, "it holds no snapshot");
+  return in;
+}
+
+petsc::Tall read_rows(const std::filesystem::path& file, const mesh::Mesh& mesh) {
+  const auto in = open_for(mesh, file);
   petsc::Tall u(3 * mesh.owned, in->count);
   Row row(in->length);
   for (std::int64_t s = 0; s < in->count; ++s) {
@@ -128,6 +133,12 @@ petsc::Tall read_snapshots(const std::filesystem::path& file, const mesh::Mesh& 
   petsc::Tall u;
   parallel::together(mesh.comm, [&] { u = read_rows(file, mesh); });
   return mesh::from_vertices(mesh, dofs, u);
+}
+
+std::int64_t count_snapshots(const std::filesystem::path& file, const mesh::Mesh& mesh) {
+  std::int64_t count = 0;
+  parallel::together(mesh.comm, [&] { count = open_for(mesh, file)->count; });
+  return count;
 }
 
 }  // namespace ritz::app

@@ -1,5 +1,6 @@
 // -snapshots: full displacement vectors from a file.
 #pragma once
+#include <cstdint>
 #include <filesystem>
 
 #include "ritz/mesh/dofs.hpp"
@@ -12,5 +13,9 @@ namespace ritz::app {
 /// vertex in the mesh file's order (vertices that no cell uses left out). Throws InputError on all ranks for a file
 /// that is not so, vectors of another length, or numbers that are not finite. *Collective*.
 petsc::Tall read_snapshots(const std::filesystem::path& file, const mesh::Mesh& mesh, const mesh::Dofs& dofs);
+
+/// How many snapshots a file holds. Throws InputError on all ranks for what read_snapshots refuses but for the numbers.
+/// *Collective*.
+std::int64_t count_snapshots(const std::filesystem::path& file, const mesh::Mesh& mesh);
 
 }  // namespace ritz::app

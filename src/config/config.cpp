@@ -129,7 +129,6 @@ void read_basis(Database& options, Config& config) {
   if (basis.derivatives > config.modes.count)
     throw InputError("option -derivatives " + std::to_string(basis.derivatives) + " asks for more modes than -modes " +
                      std::to_string(config.modes.count) + "; raise -modes");
-  if (basis.derivatives > 0) config.modes.inverse = stages::InverseUse::kept;
   if (basis.derivatives > 0 || by_size || by_tolerance || !basis.modes.empty() || config.snapshots ||
       config.forces == ReducedForces::polynomial)
     config.basis = basis;
@@ -152,7 +151,6 @@ void read_accuracy(Database& options, Config& config) {
   config.accuracy = {*target, *scene};
   config.basis.emplace();
   config.forces = ReducedForces::polynomial;
-  config.modes.inverse = stages::InverseUse::kept;
 }
 
 std::optional<std::int64_t> read_count(Database& options, const std::string& name) {
@@ -188,6 +186,8 @@ Config read_config(MPI_Comm comm, Program program) {
   config.modes.tolerance = options.real("modes_tolerance", 1e-10, 1e-14, 1e-2);
   read_basis(options, config);
   read_accuracy(options, config);
+  if (program == Program::reduce && (config.accuracy || (config.basis && config.basis->derivatives > 0)))
+    config.modes.inverse = stages::InverseUse::kept;
   const auto solvers = solver_options_given();
   refuse_foreign_options(solvers);
   config.modes.slepc = std::any_of(solvers.begin(), solvers.end(), [](const auto& o) { return is_slepc(o.first); });

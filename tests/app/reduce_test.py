@@ -128,6 +128,54 @@ class Voice(InAFolder):
         self.assertRegex(plan, r"over 1 rank\n")
         self.assertEqual(self.files(), set())
 
+    def plan(self, *words, ranks=2):
+        """The stages of a plan with what it says of each, and the bytes of a rank."""
+        text = self.reduce(*CLAMPED, "-plan", "-solver", "direct", *words, ranks=ranks).stdout
+        stages = dict(re.findall(r"^  (\w[\w ]*?) +\d+\.\d s   (.*)$", text, re.M))
+        return stages, float(re.match(r"(\d+\.\d+) GB a rank", stages["in all"])[1])
+
+    def test_plan_has_the_stages_that_are_asked_for(self):
+        linear = ["mesh", "assemble", "modes", "write", "in all"]
+        self.assertEqual(list(self.plan()[0]), linear)
+        stages, _ = self.plan("-derivatives", "4", "-basis", "8", "-polynomial")
+        self.assertEqual(list(stages), [*linear[:3], "basis", "polynomial", "witness", *linear[3:]])
+        self.assertIn("the first factor is kept", stages["modes"])
+        self.assertRegex(stages["basis"], r"10 derivatives: loads .* s, solves .* s; mass-PCA of 15 vectors")
+        self.assertIn("8 coordinates, 44 terms of a strain", stages["polynomial"])
+        self.assertEqual(stages["witness"], "of the derivatives and of the polynomial")
+        stages, _ = self.plan("-derivatives", "4")
+        self.assertEqual(list(stages), [*linear[:3], "basis", "witness", *linear[3:]])
+        stages, _ = self.plan("-polynomial", "-basis_modes", "1,3")
+        self.assertEqual(list(stages), [*linear[:3], "basis", "polynomial", "witness", *linear[3:]])
+        self.assertNotIn("kept", stages["modes"])
+        self.assertIn("mass-PCA of 2 vectors", stages["basis"])
+
+    def test_plan_of_a_search_for_an_accurate_basis(self):
+        (self.folder / "s.toml").write_text('[static]\nsteps = 1\n[[load]]\nset = "xmax"\ntotal = [0, 0, -1]\n')
+        stages, _ = self.plan("-accuracy", "1e-2", "-accuracy_scene", "s.toml")
+        self.assertEqual(list(stages), ["mesh", "assemble", "full statics", "modes", "basis", "polynomial", "witness",
+                                        "write", "in all"])
+        self.assertIn("a search, through about 15 derivatives", stages["basis"])
+        self.assertIn("the first factor is kept", stages["modes"])
+
+    def test_plan_counts_snapshots(self):
+        np.save(self.folder / "s.npy", np.ones((6, 135)))
+        self.assertIn("POD of 6 vectors", self.plan("-modes", "0", "-snapshots", "s.npy")[0]["basis"])
+        np.save(self.folder / "s.npy", np.ones((6, 134)))
+        self.reduce(*CLAMPED, "-plan", "-snapshots", "s.npy", code=2)
+
+    def test_plan_holds_two_factors_beside_derivatives(self):
+        box = ["-mesh", "box:4,1,1/40,8,8/tet4"]
+        linear, both = (self.plan(*box, *words)[1] for words in ([], ["-derivatives", "2"]))
+        self.assertGreater(both, linear)
+
+    def test_plan_of_what_is_left_when_a_basis_is_reused(self):
+        words = ["-derivatives", "2", "-basis", "6"]
+        self.reduce(*CLAMPED, *words)
+        stages, _ = self.plan(*words, "-polynomial", "-reuse", "model.h5")
+        self.assertEqual(list(stages), ["mesh", "assemble", "polynomial", "witness", "write", "in all"])
+        self.assertEqual(stages["witness"], "of the polynomial")
+
     def test_log_view_shows_the_stages(self):
         (self.folder / "a.opts").write_text("-log_view\n")
         for words in (["-log_view"], ["-options_file", "a.opts"]):

@@ -63,6 +63,12 @@ TEST(Config, ReadsTheCommandLine) {
   EXPECT_EQ(c.material.young, 1e6);
 }
 
+TEST(Config, KeepsTheFactorForDerivatives) {
+  EXPECT_EQ(with_box({}).modes.inverse, stages::InverseUse::spent);
+  EXPECT_EQ(with_box({"-basis", "3"}).modes.inverse, stages::InverseUse::spent);
+  EXPECT_EQ(with_box({"-derivatives", "3"}).modes.inverse, stages::InverseUse::kept);
+}
+
 TEST(Config, TakesFlagsOffAgain) {
   EXPECT_EQ(with_box({"-quiet", "no"}).voice, Voice::normal);
   EXPECT_EQ(with_box({"-surface_only", "0"}).rows, StoredRows::all);

@@ -1,0 +1,96 @@
+#include <algorithm>
+#include <cstdio>
+
+#include "ritz/app/estimate.hpp"
+#include "ritz/app/resources.hpp"
+#include "ritz/parallel/comm.hpp"
+#include "ritz/petsc/panel.hpp"
+#include "ritz/petsc/speed.hpp"
+#include "ritz/stages/eigen_strategy.hpp"
+
+namespace ritz::app {
+namespace {
+
+// Figures of MUMPS, of the Lanczos iteration and of LOBPCG measured on Tet10 and Tet4 beams of 100k and 300k degrees of
+// freedom (benchmarks/modes).
+constexpr double factor_efficiency = 0.5;    ///< of dgemm's rate, one rank
+constexpr double parallel_efficiency = 0.7;  ///< of a second, third ... rank
+constexpr double solve_passes = 5;           ///< readings of the factor that a block solve of Lanczos costs
+constexpr double wide_efficiency = 0.4;      ///< of dgemm's rate, in a solve of a wide block
+constexpr double columns_per_mode = 6;       ///< Lanczos columns a wanted pair
+constexpr double lobpcg_steps = 50;          ///< iterations
+constexpr double products_per_panel = 16;    ///< with K, for eight columns of the block, in one of them
+constexpr double flops_per_row = 60;         ///< of the dense algebra in one of them, over the block's width squared
+constexpr double columns_per_column = 20;    ///< vectors in memory for each of the block
+constexpr double cycles_per_solve = 28;      ///< of multigrid, with conjugate gradients
+constexpr double products_per_cycle = 10;    ///< with K, for eight columns, in one of these
+constexpr double hierarchy = 0.3;            ///< of what is held before it, in memory
+constexpr double base_memory = 70e6;         ///< of a rank that holds nothing, bytes
+
+ModesEstimate direct(const Workload& work) {
+  const stages::ModesOptions& options = work.modes;
+  const petsc::FactorEstimate f = petsc::Factorization(work.mesh.comm, "solve_").analyse(work.full.stiffness);
+  const double pairs = options.count + stages::spare_pairs, columns = pairs * columns_per_mode;
+  const double vector = 8 * work.rows, found = 2 * pairs * vector;
+  const double krylov = std::max(2 * pairs, pairs + 20 * options.block) * vector;
+  const double factor = 2 * f.flops / (factor_efficiency * work.rate * work.speed);
+  const double solve = columns / options.block * solve_passes * 8 * f.entries / (work.memory * work.speed);
+  const bool kept = options.inverse == stages::InverseUse::kept;
+  // The factor that is kept stands beside the one that counts the modes.
+  const double peak = f.memory_rank + found + std::max(krylov, kept ? f.memory_rank : 0.0);
+  ModesEstimate estimate;
+  estimate.stage = {"modes", factor + solve, work.held + peak,
+                    "two factorizations " + shown_seconds(factor) + ", block Lanczos " + shown_seconds(solve) +
+                        (kept ? "; the first factor is kept" : "")};
+  if (kept) estimate.inverse_memory = f.memory_rank;
+  estimate.inverse_seconds = 4 * f.entries / (wide_efficiency * work.rate * work.speed);
+  estimate.newton_memory = f.memory_rank;
+  estimate.newton_seconds = factor / 2;
+  return estimate;
+}
+
+ModesEstimate iterative(const Workload& work) {
+  const double width = stages::iterative_block(work.modes.count + stages::spare_pairs);
+  const double product = parallel::max(work.mesh.comm, petsc::panel_seconds(work.full.stiffness));
+  const double step =
+      width / petsc::panel_width * products_per_panel * product + flops_per_row * work.rows * width * width / work.rate;
+  ModesEstimate estimate;
+  estimate.stage = {"modes", lobpcg_steps * step,
+                    (1 + hierarchy) * work.held + 8 * work.rows * columns_per_column * width,
+                    "multigrid and about " + std::to_string(static_cast<int>(lobpcg_steps)) + " steps of LOBPCG"};
+  if (work.modes.inverse == stages::InverseUse::kept) estimate.inverse_memory = hierarchy * work.held;
+  estimate.inverse_seconds = cycles_per_solve * products_per_cycle * product / petsc::panel_width;
+  estimate.newton_memory = hierarchy * work.held;
+  estimate.newton_seconds = estimate.inverse_seconds * petsc::panel_width;
+  return estimate;
+}
+
+}  // namespace
+
+Workload workload(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
+                  const stages::Full& full, const stages::ModesOptions& modes) {
+  const double ranks = parallel::size(mesh.comm), total = static_cast<double>(dofs.total);
+  return {config,
+          mesh,
+          full,
+          modes,
+          petsc::dgemm_rate(),
+          petsc::memory_rate(),
+          ranks,
+          1 + parallel_efficiency * (ranks - 1),
+          total,
+          total / ranks,
+          base_memory + peak_memory()};
+}
+
+ModesEstimate estimate_modes(const Workload& work) {
+  return work.modes.strategy == stages::Strategy::iterative ? iterative(work) : direct(work);
+}
+
+std::string shown_seconds(double seconds) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f s", seconds);
+  return text;
+}
+
+}  // namespace ritz::app
