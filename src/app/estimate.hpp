@@ -33,11 +33,13 @@ struct Estimate {
   std::string how;
 };
 
-/// The modes, and what solves with K after them where derivatives need it.
+/// The modes, what solves with K after them where derivatives need it, and what a Newton step of the full model takes.
 struct ModesEstimate {
   Estimate stage;
   double inverse_memory = 0;   ///< bytes of this rank
   double inverse_seconds = 0;  ///< a column of a block that is solved
+  double newton_memory = 0;    ///< bytes of this rank
+  double newton_seconds = 0;   ///< a linear solve with a new matrix
 };
 
 /// *Collective*.
@@ -47,8 +49,9 @@ Workload workload(const config::Config& config, const mesh::Mesh& mesh, const me
 /// *Collective*.
 ModesEstimate estimate_modes(const Workload& work);
 
-/// The stages that the options ask for, in the order in which they run: modes, basis, polynomial, witness; without what
-/// an earlier model has done. Throws InputError for snapshots that do not fit the mesh. *Collective*.
+/// The stages that the options ask for, in the order in which they run: full statics, modes, basis, polynomial,
+/// witness; without what an earlier model has done. Throws InputError for snapshots that do not fit the mesh.
+/// *Collective*.
 std::vector<Estimate> estimate_stages(const Workload& work, const std::optional<FinishedBasis>& earlier);
 
 /// "1.5 s".

@@ -44,6 +44,8 @@ ModesEstimate direct(const Workload& work) {
                         (kept ? "; the first factor is kept" : "")};
   if (kept) estimate.inverse_memory = f.memory_rank;
   estimate.inverse_seconds = 4 * f.entries / (wide_efficiency * work.rate * work.speed);
+  estimate.newton_memory = f.memory_rank;
+  estimate.newton_seconds = factor / 2;
   return estimate;
 }
 
@@ -58,6 +60,8 @@ ModesEstimate iterative(const Workload& work) {
                     "multigrid and about " + std::to_string(static_cast<int>(lobpcg_steps)) + " steps of LOBPCG"};
   if (work.modes.inverse == stages::InverseUse::kept) estimate.inverse_memory = hierarchy * work.held;
   estimate.inverse_seconds = cycles_per_solve * products_per_cycle * product / petsc::panel_width;
+  estimate.newton_memory = hierarchy * work.held;
+  estimate.newton_seconds = estimate.inverse_seconds * petsc::panel_width;
   return estimate;
 }
 

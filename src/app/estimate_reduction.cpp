@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 
 #include "ritz/app/estimate.hpp"
 #include "ritz/app/reduce.hpp"
@@ -17,6 +18,9 @@ constexpr double tall_efficiency = 0.5;      ///< of dgemm's rate, in products o
 constexpr double directions_per_column = 4;  ///< of the set that a column of the basis is cut from
 constexpr double taylor_columns = 14;        ///< displacements of the witness of the derivatives
 constexpr double polynomial_columns = 9;     ///< of that of the polynomial
+constexpr double newton_steps = 4 * 5;       ///< of a static path of the full model
+constexpr double searched_modes = 8;         ///< about, in the search for a basis of some accuracy
+constexpr double searched_columns = 20;      ///< the same
 constexpr double strains = 6;                ///< components
 
 /// Quadrature points of the rank that has most, as each loop over cells counts them.
@@ -44,7 +48,7 @@ double pair_count(double n) { return n * (n + 1) / 2; }
 /// The vectors that the basis is made of, and its columns at the most.
 struct Vectors {
   double modes = 0, derivatives = 0, snapshots = 0;
-  double columns = 0;
+  double columns = std::numeric_limits<double>::infinity();
 
   double all() const { return modes + derivatives + snapshots; }
 };
@@ -55,7 +59,12 @@ Vectors vectors_of(const Workload& work) {
   v.modes = options.modes.empty() ? work.modes.count : static_cast<double>(options.modes.size());
   v.derivatives = pair_count(options.derivatives);
   if (work.config.snapshots) v.snapshots = static_cast<double>(count_snapshots(*work.config.snapshots, work.mesh));
-  v.columns = std::min(v.all(), work.dofs);
+  if (work.config.accuracy) {
+    v.modes = std::min(v.modes, searched_modes);
+    v.derivatives = pair_count(v.modes);
+    v.columns = searched_columns;
+  }
+  v.columns = std::min({v.columns, v.all(), work.dofs});
   if (options.cut.size > 0) v.columns = std::min<double>(v.columns, options.cut.size);
   if (work.config.forces == config::ReducedForces::polynomial)
     v.columns = std::min(v.columns, static_cast<double>(most_coordinates));
@@ -69,27 +78,38 @@ std::string shown(double count, const char* one, const char* many) {
 /// Seconds of products of tall matrices that take so many flops a row.
 double tall_seconds(const Workload& work, double flops) { return flops * work.rows / (tall_efficiency * work.rate); }
 
+/// The coefficients of r coordinates: strains at every point, and their products.
+double polynomial_seconds(const Workload& work, const Points& points, double r) {
+  const double terms = r + pair_count(r);
+  const double fill = (100 * r + 40 * pair_count(r)) / loop_efficiency, products = strains * terms * terms;
+  return points.owned * (fill + products) / work.rate;
+}
+
+Estimate statics(const Workload& work, const ModesEstimate& modes) {
+  return {"full statics", newton_steps * modes.newton_seconds, work.held + modes.newton_memory,
+          "about " + shown(newton_steps, "step", "steps") + " of Newton"};
+}
+
 Estimate basis(const Workload& work, const ModesEstimate& modes, const Points& points, const Vectors& v) {
   const double block = work.config.basis->block;
   const double directions = std::min(v.all(), directions_per_column * v.columns);  // while the set grows
   const double loads = v.derivatives * points.loads / (loop_efficiency * work.rate);
   const double solves = v.derivatives * modes.inverse_seconds;
   const double cut = tall_seconds(work, 14 * (v.all() + v.columns) * (directions + block));
-  std::string how;
+  const double search = work.config.accuracy ? v.modes * polynomial_seconds(work, points, v.columns) : 0;
+  std::string how = work.config.accuracy ? "a search, through about " : "";
   if (v.derivatives > 0)
-    how = shown(v.derivatives, "derivative", "derivatives") + ": loads " + shown_seconds(loads) + ", solves " +
-          shown_seconds(solves) + "; ";
+    how += shown(v.derivatives, "derivative", "derivatives") + ": loads " + shown_seconds(loads) + ", solves " +
+           shown_seconds(solves) + "; ";
   how +=
       (v.all() > v.snapshots ? "mass-PCA of " : "POD of ") + shown(v.all(), "vector ", "vectors ") + shown_seconds(cut);
   const double vectors = 3 * v.modes + 2 * v.snapshots + 3 * directions + (v.derivatives > 0 ? 10 * block : 0);
-  return {"basis", loads + solves + cut, work.held + modes.inverse_memory + 8 * work.rows * vectors, how};
+  return {"basis", loads + solves + cut + search, work.held + modes.inverse_memory + 8 * work.rows * vectors, how};
 }
 
 Estimate polynomial(const Workload& work, const ModesEstimate& modes, const Points& points, const Vectors& v) {
   const double r = v.columns, terms = r + pair_count(r), coefficients = pair_count(pair_count(r)) / 3;
-  const double fill = points.owned * (100 * r + 40 * pair_count(r)) / (loop_efficiency * work.rate);
-  const double products = points.owned * strains * terms * terms / work.rate;
-  return {"polynomial", fill + products,
+  return {"polynomial", polynomial_seconds(work, points, r),
           work.held + modes.inverse_memory + 8 * work.rows * (v.modes + 4 * r) + 8 * (terms * terms + 3 * coefficients),
           shown(r, "coordinate, ", "coordinates, ") + shown(terms, "term of a strain", "terms of a strain")};
 }
@@ -113,6 +133,7 @@ std::vector<Estimate> estimate_stages(const Workload& work, const std::optional<
   ModesEstimate modes;
   if (!earlier) {
     modes = estimate_modes(work);
+    if (work.config.accuracy) stages.push_back(statics(work, modes));
     stages.push_back(modes.stage);
   }
   if (!work.config.basis) return stages;

@@ -41,7 +41,6 @@ void reduce(MPI_Comm comm, const config::Config& config) {
   const auto options = choose_strategy(config, dofs);
   auto earlier = reuse(config, mesh, dofs, materials, options, progress);
   if (config.goal == config::Goal::plan) return print_plan(config, mesh, dofs, full, options, earlier, progress);
-
   const auto path = earlier.basis ? std::nullopt : static_path(config, scene, mesh, dofs, full, progress);
   const auto modes = earlier.basis ? earlier.basis->modes : progress.stage("modes", [&] {
     return stages::linear_modes(mesh, dofs, full, options, earlier.modes,

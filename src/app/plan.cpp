@@ -56,9 +56,6 @@ void print_plan(const config::Config& config, const mesh::Mesh& mesh, const mesh
   progress.line("plan: what these options need (nothing has been solved)");
   for (const auto& stage : progress.seconds()) progress.line(row(stage.stage, stage.seconds, "done for this plan"));
   for (const auto& stage : stages) progress.line(row(stage.stage, stage.seconds, stage.how));
-  if (config.accuracy)
-    progress.line(
-        "  accuracy     not estimated: full statics, then bases of 1, 2, ... modes until one is accurate enough");
   progress.line(row("write", rest, "inertia, loads and " + config.output.string()));
   progress.line(total);
 }

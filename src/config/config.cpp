@@ -186,7 +186,7 @@ Config read_config(MPI_Comm comm, Program program) {
   config.modes.tolerance = options.real("modes_tolerance", 1e-10, 1e-14, 1e-2);
   read_basis(options, config);
   read_accuracy(options, config);
-  if (program == Program::reduce && config.basis && (config.basis->derivatives > 0 || config.accuracy))
+  if (program == Program::reduce && (config.accuracy || (config.basis && config.basis->derivatives > 0)))
     config.modes.inverse = stages::InverseUse::kept;
   const auto solvers = solver_options_given();
   refuse_foreign_options(solvers);

@@ -56,7 +56,7 @@ Found find_direct(const EigenProblem& problem, int wanted, const petsc::Tall& kn
   if (!found.converged)
     throw NumericalError("the eigensolver (block Lanczos, tolerance " + std::to_string(options.tolerance) +
                          ") did not find all " + std::to_string(wanted) +
-                         " modes; raise -modes_max_restarts or lower -modes");
+                         " modes; raise -modes_tolerance or lower -modes");
   progress("polishing", 0);
   return {polish(problem, joined(known, found.vectors), solver), found.iterations};
 }

@@ -150,6 +150,14 @@ class Voice(InAFolder):
         self.assertNotIn("kept", stages["modes"])
         self.assertIn("mass-PCA of 2 vectors", stages["basis"])
 
+    def test_plan_of_a_search_for_an_accurate_basis(self):
+        (self.folder / "s.toml").write_text('[static]\nsteps = 1\n[[load]]\nset = "xmax"\ntotal = [0, 0, -1]\n')
+        stages, _ = self.plan("-accuracy", "1e-2", "-accuracy_scene", "s.toml")
+        self.assertEqual(list(stages), ["mesh", "assemble", "full statics", "modes", "basis", "polynomial", "witness",
+                                        "write", "in all"])
+        self.assertIn("a search, through about 15 derivatives", stages["basis"])
+        self.assertIn("the first factor is kept", stages["modes"])
+
     def test_plan_counts_snapshots(self):
         np.save(self.folder / "s.npy", np.ones((6, 135)))
         self.assertIn("POD of 6 vectors", self.plan("-modes", "0", "-snapshots", "s.npy")[0]["basis"])
