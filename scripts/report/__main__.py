@@ -40,6 +40,7 @@ def main():
                                     program, progress))
     except KeyboardInterrupt:
         progress.end()
+        page.write(options.output)
         print("report.sh: interrupted; the same command goes on from here", file=sys.stderr)
         return 130
     except programs.Failed as failure:
