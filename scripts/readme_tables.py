@@ -1,0 +1,81 @@
+#!/usr/bin/env python3
+"""Puts the tables of a report into the README: what stands between <!-- NAME --> and <!-- /NAME --> is replaced.
+
+    readme_tables.py [report [README.md]]
+
+reads report/runs.csv (reach), report/lean.csv (lean) and report/stability.csv (stability), which scripts/report.sh and
+scripts/stability.sh write, and copies the diagram of the first scene to docs/work_precision.png."""
+import csv
+import shutil
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent))
+from report import compare, diagram, lean, table  # noqa: E402
+from report.methods import METHODS  # noqa: E402
+
+LONGEST = 110  # letters of a cell
+
+
+def markdown(heads, lines):
+    safe = lambda text: str(text).replace("|", "\\|").replace("\n", " ")  # noqa: E731
+    rows = [heads, ["---"] * len(heads), *lines]
+    return "".join("| " + " | ".join(safe(x) for x in row) + " |\n" for row in rows)
+
+
+def short(text):
+    return text if len(text) <= LONGEST else text[:LONGEST].rsplit(" ", 1)[0] + " …"
+
+
+def reach(folder):
+    rows = table.read(folder / "runs.csv")
+    names = [method.name for method in METHODS if any(row["method"] == method.name for row in rows)]
+    lines = []
+    for scene in compare.scenes(rows):
+        here = [row for row in rows if row["scene"] == scene]
+        best = [compare.to_reach([row for row in here if row["method"] == name], 0.01) for name in names]
+        lines.append([here[0]["title"], *("–" if row is None else f"{row['seconds']:.3g} s" for row in best)])
+    return markdown(["time of stepping to 1 %", *(diagram.TITLES[name] for name in names)], lines)
+
+
+def scaled(row, column, scale):
+    return f"{float(row[column]) / scale:.3g}" if row[column] else "–"
+
+
+def lean_rows(folder):
+    lines = [[row["kind"], row["stages"] or "–", scaled(row, "seconds", 1), scaled(row, "memory_bytes", 1e6),
+              scaled(row, "file_bytes", 1e6), scaled(row, "load_seconds", 1e-3), scaled(row, "resident_bytes", 1e6)]
+             for row in lean.read(folder / "lean.csv")]
+    return markdown(["kind of scene", "stages that ran", "s", "memory, MB", "file, MB", "load and one step, ms",
+                     "resident, MB"], lines)
+
+
+def stability(folder):
+    with open(folder / "stability.csv", newline="") as file:
+        lines = [[row["scene"], short(row["asked"]), short(row["observed"]), row["verdict"]]
+                 for row in csv.DictReader(file)]
+    return markdown(["scene", "asked", "observed", "verdict"], lines)
+
+
+def replaced(text, name, new):
+    begin, end = f"<!-- {name} -->\n", f"<!-- /{name} -->"
+    if text.count(begin) != 1 or text.count(end) != 1:
+        raise SystemExit(f"the README has no place for the table '{name}': mark it with {begin.strip()} and {end}")
+    return text[:text.index(begin) + len(begin)] + "\n" + new + "\n" + text[text.index(end):]
+
+
+def main(report="report", readme="README.md"):
+    report, readme = Path(report), Path(readme)
+    text = readme.read_text()
+    for name, source, make in (("reach", "runs.csv", reach), ("lean", "lean.csv", lean_rows),
+                               ("stability", "stability.csv", stability)):
+        if (report / source).exists():
+            text = replaced(text, name, make(report))
+    readme.write_text(text)
+    rows = table.read(report / "runs.csv")
+    if rows:
+        shutil.copy(report / f"{rows[0]['scene']}_work_precision.png", readme.parent / "docs/work_precision.png")
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
