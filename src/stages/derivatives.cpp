@@ -20,8 +20,8 @@ template <class E>
 double smallest_ratio(const fem::Coordinates<E>& x) {
   const fem::MassMatrix<E> M = fem::mass<E>(x, 1);
   const fem::Vector<E::vertices> root = M.diagonal().cwiseSqrt().cwiseInverse();
-  const fem::MassMatrix<E> scaled = root.asDiagonal() * M * root.asDiagonal();
-  return Eigen::SelfAdjointEigenSolver<fem::MassMatrix<E>>(scaled, Eigen::EigenvaluesOnly).eigenvalues()[0];
+  const Eigen::MatrixXd scaled = root.asDiagonal() * M * root.asDiagonal();
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled, Eigen::EigenvaluesOnly).eigenvalues()[0];
 }
 
 /// m: M ≥ m D. A straight linear tetrahedron has ½ whatever its shape.

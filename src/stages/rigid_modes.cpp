@@ -66,10 +66,10 @@ Eigen::MatrixXd support_rows(const mesh::Mesh& mesh, const mesh::Dofs& dofs, con
     const Motion R = frames.motion(p, mesh.points.col(v));
     for (int c = 0; c < mesh::components; ++c) {
       if (!dofs.fixed(v, c)) continue;
-      Eigen::Matrix<double, 7, 6> stacked;
+      Eigen::MatrixXd stacked(7, 6);  // of no fixed size: the compiler would take a minute to unroll the factorization
       auto& triangle = triangles[static_cast<std::size_t>(p)];
       stacked << triangle, R.row(c);
-      triangle = Eigen::HouseholderQR<Eigen::Matrix<double, 7, 6>>(stacked).matrixQR().topRows<6>();
+      triangle = Eigen::HouseholderQR<Eigen::MatrixXd>(stacked).matrixQR().topRows<6>();
       triangle.triangularView<Eigen::StrictlyLower>().setZero();
     }
   }
