@@ -5,7 +5,7 @@ namespace ritz::runtime {
 namespace {
 
 ModeStep rule(double stiffness, double damping, double dt) {
-  return family_step({.beta = 0.25, .gamma = 0.5}, stiffness, damping, dt);
+  return family_step(average_acceleration, stiffness, damping, dt);
 }
 
 }  // namespace

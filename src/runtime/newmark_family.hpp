@@ -11,6 +11,9 @@ struct NewmarkFamily {
   double alpha_m = 0, alpha_f = 0;
 };
 
+/// Newmark's method of average acceleration.
+inline constexpr NewmarkFamily average_acceleration{.beta = 0.25, .gamma = 0.5};
+
 /// The optimal member of given damping ρ∞ of the highest frequencies, [CH93] Eqs. 17, 18, 25.
 constexpr NewmarkFamily chung_hulbert(double rho) {
   const double alpha_m = (2 * rho - 1) / (rho + 1), alpha_f = rho / (rho + 1);
