@@ -11,62 +11,48 @@ using Eigen::Index;
 
 template <class Scalar>
 Evaluation<Scalar> make_evaluation(const Forces<Scalar>& forces) {
-  return {.force = Vector<Scalar>::Zero(forces.r),
-          .tangent = Matrix<Scalar>::Zero(forces.r, forces.r),
-          .products = zeros<Scalar>(forces.pairs),
-          .h3 = zeros<Scalar>(forces.pairs),
-          .h4 = zeros<Scalar>(forces.pairs)};
+  constexpr Index width = lanes<Scalar>;
+  const Index r = forces.r;
+  return {.force = Vector<Scalar>::Zero(r),
+          .tangent = Matrix<Scalar>::Zero(r, r),
+          .sums = Vector<Scalar>::Zero(result_size(r)),
+          .point = zeros<Scalar>(r + width),
+          .room = zeros<Scalar>(room_at_point(r) * width),
+          .result = zeros<Scalar>(result_size(r) * width)};
 }
 
 template <class Scalar>
-void evaluate(const Forces<Scalar>& forces, const VectorRef<Scalar>& z, Evaluation<Scalar>& result) {
-  auto& [energy, force, tangent, products, h3, h4] = result;
-  multiply_out(forces.r, z.data(), products.data());
-  std::ranges::fill(h3, Scalar(0));
-  std::ranges::fill(h4, Scalar(0));
-  multiply_columns(forces.pairs, forces.r, forces.cubic.data(), z.data(), h3.data());
-  multiply_symmetric(forces.pairs, forces.quartic.data(), products.data(), h4.data());
-  force.setZero();
-  tangent.setZero();
-  add_point(forces, z.data(), h3.data(), h4.data(), Scalar(1), Scalar(1), force, tangent);
-  mirror(tangent);
-  energy = energy_of(forces, products, h3, h4);
+void evaluate(const Forces<Scalar>& forces, const VectorRef<Scalar>& z, Evaluation<Scalar>& evaluation) {
+  auto& [energy, force, tangent, sums, point, room, result] = evaluation;
+  std::ranges::copy(z, point.begin());
+  differentiate_at_point(forces.r, forces.cubic.data(), forces.quartic.data(), point.data(), room.data(),
+                         result.data());
+  using Registers = Eigen::Matrix<Scalar, static_cast<int>(lanes<Scalar>), Eigen::Dynamic>;
+  sums = Eigen::Map<const Registers, Eigen::Aligned32>(result.data(), lanes<Scalar>, sums.size()).colwise().sum();
+  finish<Scalar>(forces, z, sums, energy, force, tangent);
 }
 
 template <class Scalar>
 MeanEvaluation<Scalar> make_mean_evaluation(const Forces<Scalar>& forces) {
-  const Vector<Scalar> none = Vector<Scalar>::Zero(forces.r);
-  return {.force = none,
+  return {.force = Vector<Scalar>::Zero(forces.r),
           .tangent = Matrix<Scalar>::Zero(forces.r, forces.r),
-          .first = none,
-          .second = none,
-          .products = zeros<Scalar>(2 * forces.pairs),
-          .h3 = zeros<Scalar>(2 * forces.pairs),
-          .h4 = zeros<Scalar>(2 * forces.pairs)};
+          .point = Vector<Scalar>::Zero(forces.r),
+          .at_point = make_evaluation(forces)};
 }
 
 template <class Scalar>
 void evaluate_mean(const Forces<Scalar>& forces, const VectorRef<Scalar>& z, const VectorRef<Scalar>& d,
                    MeanEvaluation<Scalar>& result) {
-  auto& [force, tangent, first, second, products, h3, h4] = result;
+  auto& [force, tangent, point, at_point] = result;
   const auto gauss = static_cast<Scalar>(1 / std::sqrt(12.0));
-  const Scalar nodes[2] = {Scalar(0.5) - gauss, Scalar(0.5) + gauss};
-  first = z + nodes[0] * d;
-  second = z + nodes[1] * d;
-  std::ranges::fill(h3, Scalar(0));
-  std::ranges::fill(h4, Scalar(0));
-  const Vector<Scalar>* points[2] = {&first, &second};
-  for (int q = 0; q < 2; ++q) {
-    multiply_out(forces.r, points[q]->data(), products.data() + q * forces.pairs);
-    multiply_columns(forces.pairs, forces.r, forces.cubic.data(), points[q]->data(), h3.data() + q * forces.pairs);
-  }
-  multiply_symmetric_twice(forces.pairs, forces.quartic.data(), products.data(), h4.data());
   force.setZero();
   tangent.setZero();
-  for (int q = 0; q < 2; ++q)
-    add_point(forces, points[q]->data(), h3.data() + q * forces.pairs, h4.data() + q * forces.pairs, Scalar(0.5),
-              nodes[q] / 2, force, tangent);
-  mirror(tangent);
+  for (const Scalar node : {Scalar(0.5) - gauss, Scalar(0.5) + gauss}) {
+    point = z + node * d;
+    evaluate<Scalar>(forces, point, at_point);
+    force += at_point.force / 2;
+    tangent += at_point.tangent * (node / 2);
+  }
 }
 
 template Evaluation<double> make_evaluation(const Forces<double>&);

@@ -1,8 +1,6 @@
-#include <algorithm>
 #include <array>
 #include <string>
 
-#include "kernels.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/runtime/forces.hpp"
 #include "simd.hpp"
@@ -21,23 +19,24 @@ Index binomial(Index n, int k) {
 
 /// Where the entry i ≤ j ≤ ... of a fully symmetric tensor over r indices stands in lexicographic order: all less those
 /// that come after it, which with the indices counted from the back is a sum of binomials.
-template <int order>
-Index position(Index r, std::array<Index, order> at) {
-  std::ranges::sort(at);
+template <std::size_t size>
+Index position(Index r, const std::array<Index, size>& at) {
+  constexpr int order = size;
   Index after = 0;
   for (int s = 0; s < order; ++s) after += binomial(r - 1 - at[s] + order - 1 - s, order - s);
   return binomial(r + order - 1, order) - 1 - after;
 }
 
-struct Pair {
-  Index i, j;
-};
-
-std::vector<Pair> all_pairs(Index r) {
-  std::vector<Pair> pairs;
-  for (Index i = 0; i < r; ++i)
-    for (Index j = i; j < r; ++j) pairs.push_back({i, j});
-  return pairs;
+/// The factorials of how often an index of i ≤ j ≤ ... is repeated.
+template <std::size_t size>
+double repeats(const std::array<Index, size>& at) {
+  double product = 1;
+  int same = 1;
+  for (std::size_t s = 1; s < size; ++s) {
+    same = at[s] == at[s - 1] ? same + 1 : 1;
+    product *= same;
+  }
+  return product;
 }
 
 void require_sizes(const model::Polynomial& p) {
@@ -48,21 +47,52 @@ void require_sizes(const model::Polynomial& p) {
                      " coordinates: reduce the model again");
 }
 
+/// Appends the coefficients of i0, i0 + 1, ..., a register's, with the other indices, which ascend.
+template <class Scalar, class... Others>
+void append(const Eigen::VectorXd& unique, Index r, Index i0, AlignedVector<Scalar>& to, Others... others) {
+  for (Index i = i0; i < i0 + lanes<Scalar>; ++i) {
+    const std::array at{i, others...};
+    to.push_back(i > at[1] ? Scalar(0) : static_cast<Scalar>(unique[position(r, at)] / repeats(at)));
+  }
+}
+
 template <class Scalar>
-void lay_out_quartic(const model::Polynomial& polynomial, const std::vector<Pair>& pairs, Forces<Scalar>& forces) {
-  constexpr Index width = lanes<Scalar>;
-  const auto count = static_cast<Index>(pairs.size());
-  const auto entry = [&](Index p, Index q) -> Scalar {
-    if (q < p || q >= count) return 0;
-    const auto [i, j] = pairs[static_cast<std::size_t>(p)];
-    const auto [k, l] = pairs[static_cast<std::size_t>(q)];
-    const double value = polynomial.quartic[position<4>(polynomial.r, {i, j, k, l})];
-    return static_cast<Scalar>(p == q ? value / 2 : value);
-  };
-  for (Index row = 0; row < forces.pairs; row += tile_rows)
-    for (Index column = row / width * width; column < forces.pairs; column += width)
-      for (Index p = row; p < row + tile_rows; ++p)
-        for (Index q = column; q < column + width; ++q) forces.quartic.push_back(entry(p, q));
+AlignedVector<Scalar> lay_out_cubic(const model::Polynomial& polynomial) {
+  const Index r = polynomial.r;
+  AlignedVector<Scalar> to;
+  for (Index i0 = 0; i0 < r; i0 += lanes<Scalar>)
+    for (Index k = i0; k < r; ++k)
+      for (Index l = k; l < r; ++l) append(polynomial.cubic, r, i0, to, k, l);
+  return to;
+}
+
+/// How many coefficients that makes: two slices of n = r − j rows and one less have n² together.
+template <class Scalar>
+std::size_t quartic_size(Index r) {
+  Index registers = 0;
+  for (Index i0 = 0; i0 < r; i0 += lanes<Scalar>)
+    for (Index j = i0; j < r; j += 2) registers += (r - j) * (r - j);
+  return static_cast<std::size_t>(registers * lanes<Scalar>);
+}
+
+template <class Scalar>
+AlignedVector<Scalar> lay_out_quartic(const model::Polynomial& polynomial) {
+  const Index r = polynomial.r;
+  AlignedVector<Scalar> to;
+  to.reserve(quartic_size<Scalar>(r));
+  const auto append_to = [&](Index i0, Index j, Index k, Index l) { append(polynomial.quartic, r, i0, to, j, k, l); };
+  for (Index i0 = 0; i0 < r; i0 += lanes<Scalar>)
+    for (Index j = i0; j < r; j += 2) {
+      for (Index l = j; l < r; ++l) append_to(i0, j, j, l);
+      for (Index k = j + 1; k < r; k += 2) {
+        append_to(i0, j, k, k);
+        append_to(i0, j + 1, k, k);
+        for (Index l = k + 1; l < r; ++l)
+          for (const Index row : {k, k + 1})
+            for (const Index slice : {j, j + 1}) append_to(i0, slice, row, l);
+      }
+    }
+  return to;
 }
 
 }  // namespace
@@ -71,32 +101,17 @@ template <class Scalar>
 Forces<Scalar> make_forces(const model::Polynomial& polynomial) {
   require_sizes(polynomial);
   const Index r = polynomial.r;
-  const auto pairs = all_pairs(r);
-  Forces<Scalar> forces;
-  forces.r = r;
-  forces.pairs = (std::ssize(pairs) + lanes<Scalar> - 1) / lanes<Scalar> * lanes<Scalar>;
-  forces.linear = polynomial.quadratic.cast<Scalar>();
-  forces.cubic.assign(static_cast<std::size_t>(forces.pairs * r), 0);
-  for (Index k = 0; k < r; ++k)
-    for (std::size_t p = 0; p < pairs.size(); ++p)
-      forces.cubic[static_cast<std::size_t>(k * forces.pairs) + p] =
-          static_cast<Scalar>(polynomial.cubic[position<3>(r, {pairs[p].i, pairs[p].j, k})]);
-  forces.quartic.reserve(static_cast<std::size_t>(forces.pairs * (forces.pairs + 2 * lanes<Scalar>) / 2));
-  lay_out_quartic(polynomial, pairs, forces);
+  Forces<Scalar> forces{.r = r,
+                        .linear = Matrix<Scalar>(r, r),
+                        .cubic = lay_out_cubic<Scalar>(polynomial),
+                        .quartic = lay_out_quartic<Scalar>(polynomial)};
+  for (Index i = 0, at = 0; i < r; ++i)
+    for (Index j = i; j < r; ++j, ++at)
+      forces.linear(i, j) = forces.linear(j, i) = static_cast<Scalar>(polynomial.quadratic[at]);
   return forces;
-}
-
-template <class Scalar>
-Matrix<Scalar> rest_tangent(const Forces<Scalar>& forces) {
-  Matrix<Scalar> A(forces.r, forces.r);
-  for (Index i = 0, p = 0; i < forces.r; ++i)
-    for (Index j = i; j < forces.r; ++j, ++p) A(i, j) = A(j, i) = forces.linear[p];
-  return A;
 }
 
 template Forces<double> make_forces(const model::Polynomial&);
 template Forces<float> make_forces(const model::Polynomial&);
-template Matrix<double> rest_tangent(const Forces<double>&);
-template Matrix<float> rest_tangent(const Forces<float>&);
 
 }  // namespace ritz::runtime

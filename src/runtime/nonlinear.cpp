@@ -9,7 +9,7 @@ namespace ritz::runtime {
 template <class Scalar>
 NonlinearModel<Scalar> make_nonlinear_model(const model::Polynomial& polynomial, const Damping& damping) {
   NonlinearModel<Scalar> model{.forces = make_forces<Scalar>(polynomial), .damping = {}};
-  const Eigen::MatrixXd rest = rest_tangent(model.forces).template cast<double>();
+  const Eigen::MatrixXd rest = model.forces.linear.template cast<double>();
   Eigen::MatrixXd D = damping.beta * rest;
   std::size_t flexible = 0;
   const double softest = rigid_stiffness * rest.diagonal().maxCoeff();

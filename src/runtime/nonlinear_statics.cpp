@@ -72,7 +72,7 @@ bool stays_stable(const NonlinearModel<Scalar>& model, const Vector<Scalar>& z, 
 template <class Scalar>
 [[noreturn]] void give_up(const NonlinearModel<Scalar>& model, const Vector<Scalar>& z, double reached,
                           StaticWorkspace<Scalar>& workspace) {
-  const double rest = smallest_eigenvalue(rest_tangent(model.forces));
+  const double rest = smallest_eigenvalue(model.forces.linear);
   evaluate<Scalar>(model.forces, z, workspace.at);
   const double here = smallest_eigenvalue(workspace.at.tangent);
   std::ostringstream text;
@@ -89,7 +89,7 @@ template <class Scalar>
 template <class Scalar>
 StaticWorkspace<Scalar> make_static_workspace(const NonlinearModel<Scalar>& model,
                                               const NewtonOptions<Scalar>& options) {
-  const Matrix<Scalar> rest = rest_tangent(model.forces);
+  const Matrix<Scalar> rest = model.forces.linear;
   if (!(smallest_eigenvalue(rest) > rigid_stiffness * static_cast<double>(rest.diagonal().maxCoeff())))
     throw InputError(
         "the body is free: a load sets it moving, so it has no state of rest; fix the body when reducing it, or use "

@@ -21,7 +21,7 @@ void refuse_unstable(Scalar dt, Scalar longest) {
 /// 2/ω_max of the model at rest, s.
 template <class Scalar>
 Scalar longest_stable(const NonlinearModel<Scalar>& model) {
-  const Eigen::MatrixXd rest = rest_tangent(model.forces).template cast<double>();
+  const Eigen::MatrixXd rest = model.forces.linear.template cast<double>();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(rest, Eigen::EigenvaluesOnly);
   const double largest = solver.eigenvalues().maxCoeff();
   return largest > 0 ? static_cast<Scalar>(2 / std::sqrt(largest)) : std::numeric_limits<Scalar>::infinity();

@@ -3,8 +3,8 @@
 //   H3_ij = B_ijk z_k,  H4_ij = ½ C_ijkl z_k z_l,
 //   Ẽ = (A + H3/3 + H4/6) : zzᵀ / 2,  f̃ = dẼ/dz = (A + H3/2 + H4/3) z,  K̃ = df̃/dz = A + H3 + H4.
 //
-// With the p = r(r+1)/2 pairs i ≤ j as one index, H4 is a symmetric p x p matrix times the vector of the products
-// z_k z_l, and H3 a p x r matrix times z. Both are laid out for vectors of a register's width.
+// The tangent's two matrices follow from the unique coefficients i ≤ j ≤ k ≤ l alone, three products for each; force
+// and energy cost next to nothing then. The coefficients are laid out for that pass, a register's width at a time.
 #pragma once
 #include <Eigen/Core>
 #include <type_traits>
@@ -21,24 +21,17 @@ using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 template <class Scalar>
 using VectorRef = Eigen::Ref<const Vector<std::type_identity_t<Scalar>>>;
 
-/// The coefficients, laid out; constant while they are used, by any number of threads. Pairs are numbered row by row:
-/// (0,0), (0,1), ... (0,r-1), (1,1), ...; `pairs` rounds their number up to whole registers, and what is added is 0.
+/// The coefficients, laid out; constant while they are used, by any number of threads.
 template <class Scalar>
 struct Forces {
   Eigen::Index r = 0;
-  Eigen::Index pairs = 0;
-  Vector<Scalar> linear;          ///< A, one number a pair
-  AlignedVector<Scalar> cubic;    ///< B, `pairs` x r, column by column
-  AlignedVector<Scalar> quartic;  ///< C's upper triangle in tiles, as kernels.hpp says
+  Matrix<Scalar> linear;                 ///< A = K̃(0), r x r
+  AlignedVector<Scalar> cubic, quartic;  ///< B and C in the order of src/runtime/kernels.hpp
 };
 
 /// Lays the polynomial out, in double or float. Throws InputError when its arrays do not have the sizes that r says.
 template <class Scalar>
 Forces<Scalar> make_forces(const model::Polynomial& polynomial);
-
-/// K̃(0) = A, r x r.
-template <class Scalar>
-Matrix<Scalar> rest_tangent(const Forces<Scalar>& forces);
 
 /// What one evaluation returns, and room for it; one a thread.
 template <class Scalar>
@@ -46,7 +39,8 @@ struct Evaluation {
   Scalar energy = 0;       ///< Ẽ, J
   Vector<Scalar> force;    ///< f̃, r
   Matrix<Scalar> tangent;  ///< K̃, r x r, both triangles
-  AlignedVector<Scalar> products, h3, h4;
+  Vector<Scalar> sums;
+  AlignedVector<Scalar> point, room, result;
 };
 
 template <class Scalar>
@@ -59,10 +53,10 @@ void evaluate(const Forces<Scalar>& forces, const VectorRef<Scalar>& z, Evaluati
 /// Room for an evaluation along a straight step.
 template <class Scalar>
 struct MeanEvaluation {
-  Vector<Scalar> force;          ///< the mean of f̃ over the step, r
-  Matrix<Scalar> tangent;        ///< its derivative with respect to the step, r x r
-  Vector<Scalar> first, second;  ///< the two Gauss points
-  AlignedVector<Scalar> products, h3, h4;
+  Vector<Scalar> force;    ///< the mean of f̃ over the step, r
+  Matrix<Scalar> tangent;  ///< its derivative with respect to the step, r x r
+  Vector<Scalar> point;
+  Evaluation<Scalar> at_point;
 };
 
 template <class Scalar>
@@ -70,7 +64,7 @@ MeanEvaluation<Scalar> make_mean_evaluation(const Forces<Scalar>& forces);
 
 /// ∫₀¹ f̃(z + s d) ds and its derivative by d, for which two Gauss points are exact as f̃ is cubic: with
 /// s = ½ ∓ 1/√12, the force is the mean of f̃(z + s d), the tangent the mean of s K̃(z + s d). Hence
-/// force · d = Ẽ(z + d) − Ẽ(z). One pass over the coefficients for both points. Does not allocate.
+/// force · d = Ẽ(z + d) − Ẽ(z). Does not allocate.
 template <class Scalar>
 void evaluate_mean(const Forces<Scalar>& forces, const VectorRef<Scalar>& z, const VectorRef<Scalar>& d,
                    MeanEvaluation<Scalar>& result);

@@ -10,9 +10,9 @@ struct BatchEvaluation {
   Vector<Scalar> energy;    ///< Ẽ of each, m
   Matrix<Scalar> force;     ///< f̃ of each, r x m
   Matrix<Scalar> tangents;  ///< K̃ of each, r x r m, side by side
-  Vector<Scalar> point;
   Matrix<Scalar> tangent;
-  AlignedVector<Scalar> products, h3, h4, lane_products, lane_h4;
+  Vector<Scalar> sums;
+  AlignedVector<Scalar> points, room, result;
 };
 
 template <class Scalar>
