@@ -11,6 +11,7 @@ namespace ritz::runtime {
 template <class Scalar>
 struct Factors {
   Eigen::LLT<Matrix<Scalar>> cholesky;
+  Vector<Scalar> reciprocals;       ///< of Cholesky's pivots
   Matrix<Scalar> lu;                ///< L below the diagonal, U on and above it
   std::vector<Eigen::Index> swaps;  ///< the row that was exchanged with each
   bool definite = true;
