@@ -22,6 +22,8 @@ function(ritz_add_test name)
   list(TRANSFORM T_LINKS PREPEND ritz_)
   target_link_libraries(${target} PRIVATE ${T_LINKS} ritz_settings GTest::gtest GTest::gmock)
   target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/tests")
+  # What is tested is optimised; the tests themselves are compiled in a third of the time without.
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
   target_compile_definitions(${target} PRIVATE RITZ_SHARED="${PROJECT_SOURCE_DIR}/../shared"
     RITZ_SOURCE="${PROJECT_SOURCE_DIR}" RITZ_BIN="$<TARGET_FILE_DIR:${target}>")
   if(T_RANKS)

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "ritz/petsc/svd.hpp"
+
 namespace ritz::stages {
 namespace {
 
@@ -22,11 +24,9 @@ petsc::Tall normalised(MPI_Comm comm, const petsc::ConstTallRef& block) {
   return block * norms.unaryExpr([](double n) { return n > 0 ? 1 / n : 0; }).asDiagonal();
 }
 
-/// Singular values and left vectors. Where directions far below σ₁ are kept they come by Jacobi's rotations, which are
-/// right relative to each σ; else by the much faster divide and conquer, right to rounding of σ₁.
-template <class Svd>
-std::pair<Eigen::VectorXd, MatrixXd> decompose(const MatrixXd& small) {
-  const Svd svd(small, Eigen::ComputeThinU | Eigen::ComputeThinV);
+/// Singular values and left vectors by Jacobi's rotations: slower, and right relative to each σ.
+petsc::SingularVectors by_rotations(const MatrixXd& small) {
+  const Eigen::JacobiSVD<MatrixXd> svd(small, Eigen::ComputeThinU | Eigen::ComputeThinV);
   return {svd.singularValues(), svd.matrixU()};
 }
 
@@ -61,8 +61,7 @@ void add(Mat M, Principal& set, const petsc::ConstTallRef& block, const Cut& cut
   const petsc::Tall rest = block - petsc::combine(both, small.rightCols(block.cols()));
   set.discarded += std::max(0.0, petsc::inner(comm, rest, petsc::multiply(M, rest)).trace());
   const bool graded = old == 0 || negligible(set, cut) < small_enough_for_jacobi * set.sigma[0];
-  auto [sigma, left] =
-      graded ? decompose<Eigen::JacobiSVD<MatrixXd>>(small) : decompose<Eigen::BDCSVD<MatrixXd>>(small);
+  auto [sigma, left] = graded ? by_rotations(small) : petsc::left_singular_vectors(small);
   set.sigma = std::move(sigma);
   const double least = negligible(set, cut);
   const Index count = (set.sigma.array() > least).count();

@@ -1,9 +1,9 @@
 #include "ritz/stages/rigid_modes.hpp"
 
 #include <Eigen/QR>
-#include <Eigen/SVD>
 
 #include "ritz/parallel/comm.hpp"
+#include "ritz/petsc/svd.hpp"
 
 namespace ritz::stages {
 namespace {
@@ -112,10 +112,9 @@ Eigen::MatrixXd null_space(const Eigen::MatrixXd& constraints) {
   constexpr double tolerance = 1e-9;
   const auto n = constraints.cols();
   if (constraints.rows() == 0 || constraints.cwiseAbs().maxCoeff() == 0) return Eigen::MatrixXd::Identity(n, n);
-  const Eigen::BDCSVD<Eigen::MatrixXd> svd(constraints, Eigen::ComputeFullV);
-  const auto& sigma = svd.singularValues();
+  const auto [sigma, V] = petsc::right_singular_vectors(constraints);
   const auto rank = (sigma.array() > tolerance * sigma[0]).count();
-  const Eigen::MatrixXd N = svd.matrixV().rightCols(n - rank);
+  const Eigen::MatrixXd N = V.rightCols(n - rank);
   Eigen::MatrixXd basis(n, n - rank);
   Eigen::Index found = 0;
   for (Eigen::Index i = 0; i < n && found < basis.cols(); ++i) {

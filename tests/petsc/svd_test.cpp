@@ -1,0 +1,57 @@
+// Singular vectors of matrices of all shapes against what defines them.
+#include "ritz/petsc/svd.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include "ritz/base/error.hpp"
+
+namespace ritz::petsc {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+/// A matrix of the given rank.
+MatrixXd sample(Index rows, Index columns, Index rank) {
+  const MatrixXd left =
+      MatrixXd::NullaryExpr(rows, rank, [](Index i, Index j) { return std::cos(double(3 * i + 7 * j)); });
+  const MatrixXd right =
+      MatrixXd::NullaryExpr(columns, rank, [](Index i, Index j) { return std::sin(double(5 * i * i + 2 * j)); });
+  return left * right.transpose();
+}
+
+TEST(Svd, LeftVectorsDiagonaliseTheGramMatrix) {
+  for (const auto& [rows, columns] : {std::pair<Index, Index>{7, 4}, {4, 7}, {5, 5}, {1, 6}, {6, 1}}) {
+    const MatrixXd A = sample(rows, columns, std::min(rows, columns));
+    const auto [sigma, U] = left_singular_vectors(A);
+    EXPECT_LE((U.transpose() * U - MatrixXd::Identity(U.cols(), U.cols())).norm(), 1e-13);
+    EXPECT_LE((A * A.transpose() * U - U * MatrixXd(sigma.array().square().matrix().asDiagonal())).norm(),
+              1e-12 * A.squaredNorm());
+    EXPECT_TRUE(std::is_sorted(sigma.data(), sigma.data() + sigma.size(), std::greater<>()));
+  }
+}
+
+TEST(Svd, RightVectorsSpanTheNullSpaceToo) {
+  for (const auto& [rows, columns] : {std::pair<Index, Index>{7, 5}, {3, 6}, {2, 2}}) {
+    const Index rank = 2;
+    const MatrixXd A = sample(rows, columns, rank);
+    const auto [sigma, V] = right_singular_vectors(A);
+    ASSERT_EQ(V.cols(), columns);
+    EXPECT_LE((V.transpose() * V - MatrixXd::Identity(columns, columns)).norm(), 1e-13);
+    EXPECT_LE((A * V.rightCols(columns - rank)).norm(), 1e-13 * A.norm());
+    EXPECT_GT(sigma[rank - 1], 1e-6 * sigma[0]);
+  }
+}
+
+TEST(Svd, OfNothing) {
+  EXPECT_EQ(left_singular_vectors(MatrixXd(0, 3)).sigma.size(), 0);
+  EXPECT_EQ(right_singular_vectors(MatrixXd(0, 3)).vectors, MatrixXd::Identity(3, 3));
+}
+
+}  // namespace
+}  // namespace ritz::petsc
