@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# What demo.sh and test.sh share; to be sourced. Sets `root` to the top folder of the project.
+# What the scripts share; to be sourced. Sets `root` to the top folder of the project.
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 say() { printf '%s\n' "$*"; }
@@ -54,6 +54,16 @@ prepare_environment() {
   export OMPI_MCA_hwloc_base_binding_policy=${OMPI_MCA_hwloc_base_binding_policy:-none}
   export OMPI_MCA_rmaps_base_oversubscribe=${OMPI_MCA_rmaps_base_oversubscribe:-1}
   export OMPI_MCA_btl_vader_single_copy_mechanism=${OMPI_MCA_btl_vader_single_copy_mechanism:-none}
+}
+
+# Installs, configures and builds the programs that are named.
+build_programs() {
+  cd "$root"
+  install_packages
+  prepare_environment
+  say "Building $*."
+  quietly cmake --preset default
+  build build/default --target "$@"
 }
 
 # "N passed, N failed, N skipped" over ctest's JUnit reports.

@@ -7,12 +7,7 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 (($# == 0)) || fail "demo.sh takes no arguments, and got '$*'."
 
-cd "$root"
-install_packages
-prepare_environment
-say "Building ritz-reduce, ritz-run, ritz-full and ritz-inspect."
-quietly cmake --preset default
-build build/default --target ritz-reduce ritz-run ritz-full ritz-inspect
+build_programs ritz-reduce ritz-run ritz-full ritz-inspect
 PATH=$root/build/default/bin:$PATH
 
 out=out/fork

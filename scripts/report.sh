@@ -25,11 +25,7 @@ while (($#)); do
   shift
 done
 
-cd "$root"
-install_packages
-prepare_environment
-quietly cmake --preset default
-build build/default --target ritz-reduce ritz-run ritz-full
+build_programs ritz-reduce ritz-run ritz-full
 if [[ $form == full ]]; then
   quietly cmake --preset runtime-only
   build build/runtime-only

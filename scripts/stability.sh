@@ -6,10 +6,5 @@ set -euo pipefail
 # shellcheck source=scripts/common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-cd "$root"
-install_packages
-prepare_environment
-say "Building ritz-reduce, ritz-run, ritz-full and ritz-inspect."
-quietly cmake --preset default
-build build/default --target ritz-reduce ritz-run ritz-full ritz-inspect
+build_programs ritz-reduce ritz-run ritz-full ritz-inspect
 exec /usr/bin/python3 scripts/stability.py --out report "$@"

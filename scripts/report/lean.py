@@ -3,6 +3,7 @@
 lean.csv has a row a kind; the columns that a row does not have are empty."""
 import csv
 import os
+import statistics
 from dataclasses import dataclass
 
 import h5py
@@ -53,18 +54,11 @@ def reduced(bin_folder, folder, body, kind):
             "memory_bytes": figures["peak_memory_bytes"], "file_bytes": model.stat().st_size}
 
 
-def median(values):
-    return sorted(values)[len(values) // 2]
-
-
-def loaded(bin_folder, folder, words):
-    """ritz-run, which reads what one step needs and takes it: median seconds, and bytes resident at the most. Measured
-    by `time`, which is small: a process inherits the peak of the one that started it."""
-    peak, seconds, memory = folder / "peak.txt", [], []
-    for _ in range(REPETITIONS):
-        seconds.append(programs.run("/usr/bin/time", ["-f", "%M", "-o", peak, bin_folder / "ritz-run", *words]).seconds)
-        memory.append(1024 * int(peak.read_text().split()[-1]))
-    return {"load_seconds": median(seconds), "resident_bytes": median(memory)}
+def loaded(bin_folder, words):
+    """ritz-run, which reads what one step needs and takes it: median seconds, and bytes resident at the most."""
+    runs = [programs.run(bin_folder / "ritz-run", words) for _ in range(REPETITIONS)]
+    return {"load_seconds": statistics.median(run.seconds for run in runs),
+            "resident_bytes": statistics.median(run.memory for run in runs)}
 
 
 def run_words(folder, kind):
@@ -81,11 +75,11 @@ def measure(bin_folder, folder, form, say):
     say("what kinds of scenes need: full statics")
     programs.run(bin_folder / "ritz-full", [*body, *HELD, "-scene", folder / "static.toml", "-output",
                                             folder / "static.h5", "-quiet"], RANKS)
-    rows = [{"kind": "ritz-run alone (--help)", **loaded(bin_folder, folder, ["--help"])}]
+    rows = [{"kind": "ritz-run alone (--help)", **loaded(bin_folder, ["--help"])}]
     for kind in KINDS:
         say(f"what kinds of scenes need: {kind.title}")
         row = {"kind": kind.title, "options": " ".join((*kind.options, *kind.run))}
-        rows.append(row | reduced(bin_folder, folder, body, kind) | loaded(bin_folder, folder, run_words(folder, kind)))
+        rows.append(row | reduced(bin_folder, folder, body, kind) | loaded(bin_folder, run_words(folder, kind)))
     return rows
 
 

@@ -48,7 +48,7 @@ std::string obstacle(const format::ModelReader& in, const Wanted& now) {
   const auto then = format::read_provenance(in);
   if (then.mesh_checksum != now.sums.mesh) return "it was made from another mesh";
   if (then.problem_checksum != now.sums.problem) return "its materials or supports are others";
-  if (!format::read_modes(in)) return "it has no modes";
+  if (!format::read_modes(in) && !format::read_reduction(in)) return "it has no modes";
   if (format::read_geometry(in).rows != model::Rows::all) return "it stores the surface alone";
   return format::read_reduction(in) ? obstacle_of_basis(then.options, now) : "";
 }
@@ -82,7 +82,7 @@ stages::Figures figures_of_basis(const stages::Figures& figures) {
 FinishedBasis read_finished(const format::ModelReader& in, const mesh::Mesh& mesh, const mesh::Dofs& dofs) {
   FinishedBasis basis;
   const auto figures = format::read_report(in).figures;
-  basis.modes.modes = *format::read_modes(in);
+  basis.modes.modes = format::read_modes(in).value_or(model::Modes{});
   basis.modes.vectors.resize(dofs.owned, 0);
   basis.modes.strategy = value_of(format::read_provenance(in).options, "solver") == "iterative"
                              ? stages::Strategy::iterative

@@ -1,5 +1,7 @@
 #include "ritz/app/main_guard.hpp"
 
+#include <hdf5.h>
+
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -7,7 +9,10 @@
 #include <thread>
 
 #include "ritz/base/error.hpp"
+#include "ritz/config/command_line.hpp"
+#include "ritz/config/option_table.hpp"
 #include "ritz/parallel/comm.hpp"
+#include "ritz/petsc/session.hpp"
 
 namespace ritz::app {
 namespace {
@@ -52,6 +57,22 @@ int guarded(MPI_Comm comm, const std::string& program, const std::function<void(
   } catch (const std::exception& e) {
     return answer(comm, program, e.what(), exit_numerical);
   }
+}
+
+int run_program(int argc, char** argv, config::Program program,
+                const std::function<void(MPI_Comm, const config::Config&)>& work) {
+  const std::string name = program == config::Program::full ? "ritz-full" : "ritz-reduce";
+  H5dont_atexit();                              // HDF5 crashes there after a write that failed
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // one sentence of ours instead of HDF5's stack
+  const petsc::Session session(argc, argv);
+  return guarded(session.comm(), name, [&] {
+    const auto asked = config::read_command_line(session.comm(), argc, argv);
+    if (asked == config::Asked::help) {
+      if (parallel::rank(session.comm()) == 0) std::fputs(config::help_text(name).c_str(), stdout);
+      return;
+    }
+    work(session.comm(), config::read_config(session.comm(), program));
+  });
 }
 
 }  // namespace ritz::app

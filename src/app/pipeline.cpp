@@ -9,6 +9,7 @@
 #include "ritz/app/progress.hpp"
 #include "ritz/app/reduce.hpp"
 #include "ritz/app/resources.hpp"
+#include "ritz/app/static_path.hpp"
 #include "ritz/app/warnings.hpp"
 #include "ritz/app/write_model.hpp"
 #include "ritz/base/counted.hpp"

@@ -5,7 +5,6 @@
 
 #include "ritz/app/progress.hpp"
 #include "ritz/config/config.hpp"
-#include "ritz/scene/scene.hpp"
 #include "ritz/stages/accurate_basis.hpp"
 #include "ritz/stages/witness.hpp"
 
@@ -25,13 +24,6 @@ struct ReducedPolynomial {
   std::optional<model::Polynomial> value;
   stages::Figures witness;
 };
-
-/// Full equilibria under a quarter, a half, three quarters and all of the scene's loads, where there is a scene; loads
-/// that change in time count as they are when they are largest. Throws InputError, and NumericalError where the full
-/// model has no equilibrium. *Collective*.
-std::optional<stages::StaticPath> static_path(const config::Config& config, const std::optional<scene::Scene>& scene,
-                                              const mesh::Mesh& mesh, const mesh::Dofs& dofs, const stages::Full& full,
-                                              Progress& progress);
 
 /// `path`: what a target for the error is measured on. Throws InputError for snapshots or sizes that do not fit, and
 /// NumericalError when the target is out of reach. *Collective*.

@@ -1,26 +1,7 @@
 // ritz-reduce: from a mesh to a reduced model, on any number of ranks.
-#include <hdf5.h>
-
-#include <cstdio>
-
 #include "ritz/app/main_guard.hpp"
 #include "ritz/app/pipeline.hpp"
-#include "ritz/config/command_line.hpp"
-#include "ritz/config/option_table.hpp"
-#include "ritz/parallel/comm.hpp"
-#include "ritz/petsc/session.hpp"
 
 int main(int argc, char** argv) {
-  using namespace ritz;
-  H5dont_atexit();                              // HDF5 crashes there after a write that failed
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // one sentence of ours instead of HDF5's stack
-  const petsc::Session session(argc, argv);
-  return app::guarded(session.comm(), "ritz-reduce", [&] {
-    const auto asked = config::read_command_line(session.comm(), argc, argv);
-    if (asked == config::Asked::help) {
-      if (parallel::rank(session.comm()) == 0) std::fputs(config::help_text("ritz-reduce").c_str(), stdout);
-      return;
-    }
-    app::reduce(session.comm(), config::read_config(session.comm()));
-  });
+  return ritz::app::run_program(argc, argv, ritz::config::Program::reduce, ritz::app::reduce);
 }

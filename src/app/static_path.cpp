@@ -1,7 +1,8 @@
+#include "ritz/app/static_path.hpp"
+
 #include <algorithm>
 
 #include "ritz/app/full_start.hpp"
-#include "ritz/app/reduce.hpp"
 #include "ritz/app/scene_loads.hpp"
 #include "ritz/base/error.hpp"
 

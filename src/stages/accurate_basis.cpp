@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Index;
 
-constexpr int most_columns = 60, block = 48;
+constexpr int most_columns = 60;
 constexpr int patience = 3;  ///< values of K' that may pass without a smaller basis
 constexpr double nothing_found = std::numeric_limits<double>::infinity();
 
@@ -137,7 +137,7 @@ AccurateBasis accurate_basis(const mesh::Mesh& mesh, const mesh::Dofs& dofs, con
   for (int count = 0, waited = 0; count < all && waited < patience;) {
     count = whole_cluster(entering.values, count + 1);
     add_modes(source, count, cut, set);
-    add_derivatives(source, count, block, cut, progress, set);
+    add_derivatives(source, count, BasisOptions{}.block, cut, progress, set);
     const bool found_before = best.columns > 0;
     const auto found = smallest(in, set.principal, count, found_before ? best.columns - 1 : most_columns);
     if (found.error < closest.error) closest = found;

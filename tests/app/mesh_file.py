@@ -1,27 +1,17 @@
 """A mesh file that no generator would write: a beam whose vertices and cells stand in a random order."""
-import itertools
+import sys
+from pathlib import Path
 
 import numpy as np
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
 
-def kuhn_beam(cells, lengths):
-    """Points and tetrahedra of a box, six tetrahedra a hexahedron."""
-    shape = np.array(cells) + 1
-    grid = np.array(list(itertools.product(*map(range, shape))))
-    number = lambda v: np.ravel_multi_index(np.asarray(v).T, shape)
-    tets = []
-    for corner in itertools.product(*map(range, cells)):
-        for axes in itertools.permutations(range(3)):
-            path = np.array(corner) + np.vstack([np.zeros(3, int), np.cumsum(np.eye(3, dtype=int)[list(axes)], axis=0)])
-            if np.linalg.det(path[1:] - path[0]) < 0:
-                path[[1, 2]] = path[[2, 1]]
-            tets.append(number(path))
-    return grid * (np.array(lengths) / cells), np.array(tets)
+from stability.meshes import tetrahedra  # noqa: E402
 
 
 def write_shuffled_beam(path, cells=(10, 2, 2), lengths=(1, .1, .06)):
     """Gmsh 2.2, with gaps in the vertices' numbers."""
-    points, tets = kuhn_beam(cells, lengths)
+    points, tets = tetrahedra(cells, lengths)
     shuffle = np.random.default_rng(7)
     ids = shuffle.permutation(3 * len(points))[:len(points)] + 1
     lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$Nodes", str(len(points))]

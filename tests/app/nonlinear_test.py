@@ -73,6 +73,17 @@ class Nonlinear(InAFolder):
         np.testing.assert_allclose(tips[0], full, rtol=0, atol=1e-6 * np.abs(full).max())
         np.testing.assert_allclose(tips[1], tips[0], rtol=0, atol=1e-12)
 
+    def test_a_basis_without_modes_is_used_again(self):
+        self.full()
+        pod = [*BEAM, "-modes", "0", "-snapshots", "full.h5"]
+        self.reduce(*pod, "-output", "pod.h5", ranks=1)
+        out = self.reduce(*pod, "-polynomial", "-reuse", "pod.h5", ranks=1).stdout
+        self.assertIn("reusing the basis", out)
+        with h5py.File(self.folder / "pod.h5") as first, h5py.File(self.folder / "model.h5") as second:
+            for path in ("basis/columns/0001", "reduction/stiffness", "inertia/gram"):
+                np.testing.assert_array_equal(first["bodies/body"][path][()], second["bodies/body"][path][()])
+        self.tool("ritz-inspect", "model.h5", "--check")
+
     def test_what_a_nonlinear_model_cannot_do(self):
         self.reduce(*BEAM, "-modes", "3", "-derivatives", "2", "-polynomial")
         (self.folder / "exact.toml").write_text(MOVING.format("exact"))
