@@ -10,6 +10,8 @@ if(RITZ_PRECOMPUTE)
   pkg_check_modules(SLEPC REQUIRED IMPORTED_TARGET GLOBAL SLEPc>=3.18)
   pkg_check_modules(HDF5_MPI REQUIRED IMPORTED_TARGET GLOBAL hdf5-openmpi)
   pkg_check_modules(MPI_C REQUIRED IMPORTED_TARGET GLOBAL ompi-c)
+  # The options that Debian compiled PETSc with are its own; ritz has its settings.
+  set_target_properties(PkgConfig::PETSC PkgConfig::SLEPC PROPERTIES INTERFACE_COMPILE_OPTIONS "")
   find_package(BLAS REQUIRED)
   find_package(pugixml REQUIRED)
   find_package(ZLIB REQUIRED)

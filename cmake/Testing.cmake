@@ -1,8 +1,15 @@
-# ritz_add_test(NAME SOURCES a.cpp ... LINKS layers... [RANKS 1 2 3] [TIMEOUT s])
+# ritz_add_test(NAME SOURCES a.cpp ... LINKS layers... [RANKS 1 2 3] [TIMEOUT s] [OWN_EIGEN])
 # A GoogleTest executable test_NAME. With RANKS it is run under mpirun once for each number of ranks, with a main that
-# starts PETSc and fails on every rank when one rank fails; without, it is a serial program.
+# starts PETSc and fails on every rank when one rank fails; without, it is a serial program. OWN_EIGEN: the sources
+# change what Eigen's headers say.
 find_package(GTest REQUIRED)
 include(CTest)
+# What is tested is optimised; the tests themselves are compiled in a third of the time without.
+set(RITZ_TEST_OPTIONS $<$<CONFIG:Release>:-O1>)
+ritz_precompiled(tests LIBRARIES Eigen3::Eigen GTest::gtest GTest::gmock OPTIONS ${RITZ_TEST_OPTIONS} -fPIE
+  HEADERS <Eigen/Dense> <gmock/gmock.h> <gtest/gtest.h>)
+# Tests are executables, whose code is position independent in another way than a library's.
+set_target_properties(ritz_tests PROPERTIES POSITION_INDEPENDENT_CODE OFF)
 set(RITZ_MPI_ENVIRONMENT
   OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_hwloc_base_binding_policy=none
   OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1 OMPI_MCA_btl_vader_single_copy_mechanism=none
@@ -13,7 +20,7 @@ set(RITZ_LEAKS_AT_EXIT LSAN_OPTIONS=${RITZ_LEAKS})
 set(RITZ_LEAKS_BEFORE LSAN_OPTIONS=${RITZ_LEAKS}:leak_check_at_exit=0)
 
 function(ritz_add_test name)
-  cmake_parse_arguments(T "" "TIMEOUT" "SOURCES;LINKS;RANKS" ${ARGN})
+  cmake_parse_arguments(T "OWN_EIGEN" "TIMEOUT" "SOURCES;LINKS;RANKS" ${ARGN})
   if(NOT T_TIMEOUT)
     set(T_TIMEOUT 300)
   endif()
@@ -22,8 +29,10 @@ function(ritz_add_test name)
   list(TRANSFORM T_LINKS PREPEND ritz_)
   target_link_libraries(${target} PRIVATE ${T_LINKS} ritz_settings GTest::gtest GTest::gmock)
   target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/tests")
-  # What is tested is optimised; the tests themselves are compiled in a third of the time without.
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  target_compile_options(${target} PRIVATE ${RITZ_TEST_OPTIONS})
+  if(NOT T_OWN_EIGEN)
+    target_precompile_headers(${target} REUSE_FROM ritz_tests)
+  endif()
   target_compile_definitions(${target} PRIVATE RITZ_SHARED="${PROJECT_SOURCE_DIR}/../shared"
     RITZ_SOURCE="${PROJECT_SOURCE_DIR}" RITZ_BIN="$<TARGET_FILE_DIR:${target}>")
   if(T_RANKS)

@@ -1,12 +1,12 @@
 #include "ritz/petsc/multigrid.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 
 #include "ritz/base/error.hpp"
 #include "ritz/base/random.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/petsc/check.hpp"
+#include "ritz/petsc/symmetric_eigen.hpp"
 
 namespace ritz::petsc {
 namespace {
@@ -184,11 +184,10 @@ class Multigrid::Coarsest {
       check(MatRestoreRow(A, i, &count, &columns, &values));
     }
     parallel::sum_in_place(comm_, whole);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen((whole + whole.transpose()) / 2);
-    const double least = 1e-12 * eigen.eigenvalues().tail(1)[0];
-    const Eigen::VectorXd inverse =
-        (eigen.eigenvalues().array() > least).select(eigen.eigenvalues().array().inverse(), 0.0);
-    inverse_ = eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
+    const auto [eigenvalues, vectors] = symmetric_eigen((whole + whole.transpose()) / 2);
+    const double least = 1e-12 * eigenvalues.tail(1)[0];
+    const Eigen::VectorXd inverse = (eigenvalues.array() > least).select(eigenvalues.array().inverse(), 0.0);
+    inverse_ = vectors * inverse.asDiagonal() * vectors.transpose();
   }
 
   void solve(const Panel& r, Panel& z) const {

@@ -2,13 +2,13 @@
 
 #include <petscblaslapack.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include "ritz/parallel/comm.hpp"
 #include "ritz/petsc/check.hpp"
 #include "ritz/petsc/panel.hpp"
+#include "ritz/petsc/symmetric_eigen.hpp"
 
 namespace ritz::petsc {
 namespace {
@@ -140,11 +140,10 @@ int orthonormalise(Mat M, const ConstTallRef& against, TallRef x, double drop) {
     const Eigen::MatrixXd gram = inner(comm, block, mx.leftCols(kept));
     const Eigen::VectorXd norms = gram.diagonal().cwiseMax(0).cwiseSqrt();
     const Eigen::VectorXd scale = (norms.array() > drop * before.array()).select(norms.cwiseInverse(), 0);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scale.asDiagonal() * gram * scale.asDiagonal());
-    const auto& values = eigen.eigenvalues();
+    const auto [values, vectors] = symmetric_eigen(scale.asDiagonal() * gram * scale.asDiagonal());
     const double least = std::max(drop * drop, 1e-14) * values.tail(1)[0];
     const auto rank = static_cast<int>((values.array() > least).count());
-    const Eigen::MatrixXd turn = scale.asDiagonal() * eigen.eigenvectors().rightCols(rank) *
+    const Eigen::MatrixXd turn = scale.asDiagonal() * vectors.rightCols(rank) *
                                  values.tail(rank).cwiseSqrt().cwiseInverse().asDiagonal();
     clean = pass > 0 && rank == kept && values[0] > 0.5 && (norms.array() > 0.5 * before.array()).all();
     x.leftCols(rank) = combine(block, turn);

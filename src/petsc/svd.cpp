@@ -48,4 +48,10 @@ SingularVectors right_singular_vectors(MatrixXd A) {
   return {std::move(sigma), Vt.transpose()};
 }
 
+MatrixXd nearest_orthogonal(MatrixXd A) {
+  MatrixXd U(A.rows(), A.cols()), Vt(A.rows(), A.cols());
+  if (A.size() > 0) decompose('A', 'A', A, U, Vt);
+  return U * Vt;
+}
+
 }  // namespace ritz::petsc

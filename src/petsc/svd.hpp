@@ -15,4 +15,7 @@ SingularVectors left_singular_vectors(Eigen::MatrixXd A);
 /// The right vectors, all of them: those behind the last σ span the null space. Throws as above.
 SingularVectors right_singular_vectors(Eigen::MatrixXd A);
 
+/// The orthogonal matrix nearest to a square A: U Vᵀ of A = U Σ Vᵀ, its polar factor. Throws as above.
+Eigen::MatrixXd nearest_orthogonal(Eigen::MatrixXd A);
+
 }  // namespace ritz::petsc

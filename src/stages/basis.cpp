@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Index;
 
-constexpr std::uint64_t sign_stream = 3000;
+constexpr std::uint64_t sign_stream = 3000, direction_stream = 3001;
 constexpr double orthonormality_gate = 1e-11;
 
 EnteringModes entering(const ModesResult& modes, const std::vector<int>& chosen) {
@@ -87,9 +87,15 @@ BasisResult basis(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full& fu
   return cut_basis(mesh, dofs, full, modes, set, kept(set.principal, options.cut));
 }
 
+petsc::Tall canonical_directions(const mesh::Mesh& mesh, const mesh::Dofs& dofs, Mat M, const Principal& set) {
+  petsc::Tall Q = set.Q;
+  make_canonical(M, set.sigma, fixed_vectors(mesh, dofs, largest_group(set.sigma), direction_stream), Q);
+  return Q;
+}
+
 BasisResult cut_basis(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full& full, const ModesResult& modes,
                       const ScaledSet& set, int columns) {
-  const auto& [Q, sigma, discarded] = set.principal;
+  const auto& sigma = set.principal.sigma;
   BasisResult result;
   if (const auto& counts = set.counts; counts.pairs > 0)
     result.figures = {{"derivative_pairs", counts.pairs},
@@ -98,7 +104,8 @@ BasisResult cut_basis(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full
                       {"derivative_iterations", counts.iterations},
                       {"derivative_residual", counts.residual}};
   result.reduction.singular_values = sigma;
-  result.reduction.discarded = std::sqrt(discarded + sigma.tail(sigma.size() - columns).squaredNorm());
+  result.reduction.discarded = std::sqrt(set.principal.discarded + sigma.tail(sigma.size() - columns).squaredNorm());
+  const petsc::Tall Q = canonical_directions(mesh, dofs, full.mass, set.principal);
   finish(mesh, dofs, full, rigid_modes(modes), Q.leftCols(columns), result);
   return result;
 }

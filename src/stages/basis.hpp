@@ -33,7 +33,11 @@ struct BasisResult {
 BasisResult basis(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full& full, const ModesResult& modes,
                   const petsc::ConstTallRef& snapshots, const BasisOptions& options, const ModesProgress& progress);
 
-/// The basis of the set's first `columns` principal directions, finished as above. *Collective*.
+/// The set's directions, those of equal σ turned as make_canonical does: a cut between them takes the same on any
+/// number of ranks. *Collective*.
+petsc::Tall canonical_directions(const mesh::Mesh& mesh, const mesh::Dofs& dofs, Mat M, const Principal& set);
+
+/// The basis of the first `columns` of them, finished as above. *Collective*.
 BasisResult cut_basis(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full& full, const ModesResult& modes,
                       const ScaledSet& set, int columns);
 

@@ -1,10 +1,10 @@
 #include "ritz/stages/block_lanczos.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 
 #include "ritz/petsc/check.hpp"
+#include "ritz/petsc/symmetric_eigen.hpp"
 
 namespace ritz::stages {
 namespace {
@@ -68,9 +68,9 @@ class Krylov {
 
   /// Ritz pairs of T in descending θ; residual j is ‖Op y_j − θ_j y_j‖_M.
   void ritz() {
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(T_.topLeftCorner(done_, done_));
-    theta_ = eigen.eigenvalues().reverse();
-    Y_ = eigen.eigenvectors().rowwise().reverse();
+    const auto [values, vectors] = petsc::symmetric_eigen(T_.topLeftCorner(done_, done_));
+    theta_ = values.reverse();
+    Y_ = vectors.rowwise().reverse();
     residuals_ = Eigen::VectorXd::Zero(done_);
     if (pending_ > 0) residuals_ = (coupling_ * Y_.bottomRows(coupling_.cols())).colwise().norm().transpose();
   }

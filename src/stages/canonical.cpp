@@ -1,7 +1,8 @@
 #include "ritz/stages/canonical.hpp"
 
-#include <Eigen/SVD>
 #include <algorithm>
+
+#include "ritz/petsc/svd.hpp"
 
 namespace ritz::stages {
 namespace {
@@ -33,8 +34,8 @@ void make_canonical(Mat M, const Eigen::VectorXd& values, const petsc::ConstTall
     end = group_end(values, i);
     const auto size = end - i;
     // C = S O with S symmetric positive definite and O orthogonal (polar decomposition); Ψ Oᵀ turns C into S.
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(C.block(0, i, size, size), Eigen::ComputeFullU | Eigen::ComputeFullV);
-    vectors.middleCols(i, size) = (vectors.middleCols(i, size) * svd.matrixV() * svd.matrixU().transpose()).eval();
+    const Eigen::MatrixXd O = petsc::nearest_orthogonal(C.block(0, i, size, size));
+    vectors.middleCols(i, size) = (vectors.middleCols(i, size) * O.transpose()).eval();
   }
 }
 

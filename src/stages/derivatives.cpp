@@ -1,6 +1,5 @@
 #include "ritz/stages/derivatives.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -9,6 +8,7 @@
 #include "ritz/mesh/halo.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/petsc/check.hpp"
+#include "ritz/petsc/symmetric_eigen.hpp"
 #include "ritz/stages/rayleigh_ritz.hpp"
 
 namespace ritz::stages {
@@ -20,8 +20,7 @@ template <class E>
 double smallest_ratio(const fem::Coordinates<E>& x) {
   const fem::MassMatrix<E> M = fem::mass<E>(x, 1);
   const fem::Vector<E::vertices> root = M.diagonal().cwiseSqrt().cwiseInverse();
-  const Eigen::MatrixXd scaled = root.asDiagonal() * M * root.asDiagonal();
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled, Eigen::EigenvaluesOnly).eigenvalues()[0];
+  return petsc::symmetric_eigenvalues(root.asDiagonal() * M * root.asDiagonal())[0];
 }
 
 /// m: M ≥ m D. A straight linear tetrahedron has ½ whatever its shape.

@@ -1,9 +1,10 @@
 #include "ritz/stages/lobpcg.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <limits>
 #include <vector>
+
+#include "ritz/petsc/symmetric_eigen.hpp"
 
 namespace ritz::stages {
 namespace {
@@ -29,10 +30,9 @@ MatrixXd directions(const MatrixXd& C, const std::vector<Index>& columns) {
   D.topRows(C.cols()).setZero();
   D = D * D.colwise().norm().cwiseMax(std::numeric_limits<double>::min()).cwiseInverse().asDiagonal();
   for (int pass = 0; pass < 2; ++pass) D -= C * (C.transpose() * D);
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(D.transpose() * D);
-  const auto& values = eigen.eigenvalues();
+  const auto [values, vectors] = petsc::symmetric_eigen(D.transpose() * D);
   const Index rank = (values.array() > dependent * values.tail(1)[0]).count();
-  return D * eigen.eigenvectors().rightCols(rank) * values.tail(rank).cwiseSqrt().cwiseInverse().asDiagonal();
+  return D * vectors.rightCols(rank) * values.tail(rank).cwiseSqrt().cwiseInverse().asDiagonal();
 }
 
 /// Takes rounding out of X and P.
@@ -76,11 +76,11 @@ LobpcgResult lobpcg(Mat K, Mat M, double norm_K, const BlockPreconditioner& prec
     W.conservativeResize(Eigen::NoChange, petsc::orthonormalise(M, joined(locked, XP), W));
     const petsc::Tall S = joined(XP, W);
     const MatrixXd G = petsc::inner(comm, S, petsc::multiply(K, S));
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen((G + G.transpose()) / 2);
+    const auto [values, vectors] = petsc::symmetric_eigen((G + G.transpose()) / 2);
     const Index kept = x.values.size();
-    const MatrixXd C = eigen.eigenvectors().leftCols(kept);
+    const MatrixXd C = vectors.leftCols(kept);
     P = petsc::combine(S, directions(C, active));
-    x = {eigen.eigenvalues().head(kept), petsc::combine(S, C)};
+    x = {values.head(kept), petsc::combine(S, C)};
   }
   const Index count = std::min<Index>(options.wanted, x.values.size());
   result.pairs = {x.values.head(count), x.vectors.leftCols(count)};

@@ -1,9 +1,9 @@
 #include "ritz/stages/rayleigh_ritz.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <limits>
 
 #include "ritz/petsc/check.hpp"
+#include "ritz/petsc/symmetric_eigen.hpp"
 
 namespace ritz::stages {
 namespace {
@@ -16,8 +16,8 @@ RitzPairs rayleigh_ritz(Mat K, Mat M, const petsc::ConstTallRef& against, petsc:
   const int kept = petsc::orthonormalise(M, against, x);
   const auto basis = x.leftCols(kept);
   const Eigen::MatrixXd product = petsc::inner(comm_of(K), basis, petsc::multiply(K, basis));
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen((product + product.transpose()) / 2);
-  return {eigen.eigenvalues(), petsc::combine(basis, eigen.eigenvectors())};
+  auto [values, vectors] = petsc::symmetric_eigen((product + product.transpose()) / 2);
+  return {std::move(values), petsc::combine(basis, vectors)};
 }
 
 double one_norm(Mat A) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "ritz/base/error.hpp"
+#include "ritz/petsc/symmetric_eigen.hpp"
 
 namespace ritz::petsc {
 namespace {
@@ -46,6 +47,13 @@ TEST(Svd, RightVectorsSpanTheNullSpaceToo) {
     EXPECT_LE((A * V.rightCols(columns - rank)).norm(), 1e-13 * A.norm());
     EXPECT_GT(sigma[rank - 1], 1e-6 * sigma[0]);
   }
+}
+
+TEST(Svd, NearestOrthogonalIsThePolarFactor) {
+  const MatrixXd A = sample(5, 5, 5), O = nearest_orthogonal(A), S = A * O.transpose();
+  EXPECT_LE((O.transpose() * O - MatrixXd::Identity(5, 5)).norm(), 1e-13);
+  EXPECT_LE((S - S.transpose()).norm(), 1e-13 * A.norm());
+  EXPECT_GT(symmetric_eigenvalues(S)[0], 0);
 }
 
 TEST(Svd, OfNothing) {
