@@ -143,8 +143,8 @@ int orthonormalise(Mat M, const ConstTallRef& against, TallRef x, double drop) {
     const auto [values, vectors] = symmetric_eigen(scale.asDiagonal() * gram * scale.asDiagonal());
     const double least = std::max(drop * drop, 1e-14) * values.tail(1)[0];
     const auto rank = static_cast<int>((values.array() > least).count());
-    const Eigen::MatrixXd turn = scale.asDiagonal() * vectors.rightCols(rank) *
-                                 values.tail(rank).cwiseSqrt().cwiseInverse().asDiagonal();
+    const Eigen::MatrixXd turn =
+        scale.asDiagonal() * vectors.rightCols(rank) * values.tail(rank).cwiseSqrt().cwiseInverse().asDiagonal();
     clean = pass > 0 && rank == kept && values[0] > 0.5 && (norms.array() > 0.5 * before.array()).all();
     x.leftCols(rank) = combine(block, turn);
     kept = rank;

@@ -94,8 +94,8 @@ struct Problem {
 
 /// The smallest basis of at most `limit` columns cut from the set; or the best there is, which misses the target.
 SizedError smallest(const Problem& in, const Principal& set, int count, int limit) {
-  const petsc::Tall U = canonical_directions(in.mesh, in.dofs, in.full.mass, set)
-                            .leftCols(std::min<Index>(limit, set.sigma.size()));
+  const petsc::Tall U =
+      canonical_directions(in.mesh, in.dofs, in.full.mass, set).leftCols(std::min<Index>(limit, set.sigma.size()));
   const auto path = seen_from(U, in.full.mass, in.mesh.comm, in.path);
   SizedError best{count, 0, nothing_found};
   Index r = fewest(path, in.target);
