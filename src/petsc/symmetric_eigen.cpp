@@ -1,5 +1,7 @@
 #include "ritz/petsc/symmetric_eigen.hpp"
 
+#include <slepcsys.h>
+
 #include <slepcblaslapack.h>
 
 #include <string>

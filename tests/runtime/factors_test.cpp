@@ -11,8 +11,8 @@ namespace {
 /// Solves A x = b of a known x; A is symmetric, its eigenvalues 1 ... 3 shifted by `shift`.
 template <class Scalar>
 void expect_solution(Eigen::Index n, Scalar shift) {
-  const Matrix<Scalar> random = Matrix<Scalar>::Random(n, n);
-  const Matrix<Scalar> Q = random.householderQr().householderQ();
+  const Eigen::MatrixXd random = Eigen::MatrixXd::Random(n, n), turn = random.householderQr().householderQ();
+  const Matrix<Scalar> Q = turn.cast<Scalar>();
   const Vector<Scalar> eigenvalues = Vector<Scalar>::LinSpaced(n, 1, 3).array() + shift;
   const Matrix<Scalar> A = Q * eigenvalues.asDiagonal() * Q.transpose();
   const Vector<Scalar> expected = Vector<Scalar>::LinSpaced(n, 1, -2);

@@ -1,10 +1,8 @@
 // The incremental decomposition against a dense one of everything at once.
 #include <gtest/gtest.h>
 
-#include <Eigen/SVD>
-
 #include "ritz/stages/fixed_vectors.hpp"
-#include "support/principal_angles.hpp"
+#include "support/dense_algebra.hpp"
 #include "support/reduction.hpp"
 
 namespace ritz::test {
@@ -36,13 +34,13 @@ class Principals : public testing::Test {
       stages::add(p.full.mass, set, x.middleCols(j, std::min(block, x.cols() - j)), cut);
     return set;
   }
-  Eigen::JacobiSVD<Eigen::MatrixXd> svd(const Tall& x) const {
+  DenseSvd svd(const Tall& x) const {
     const Eigen::MatrixXd L = M.llt().matrixU();
-    return Eigen::JacobiSVD<Eigen::MatrixXd>(L * whole(p.mesh.comm, x), Eigen::ComputeThinU);
+    return dense_svd(L * whole(p.mesh.comm, x));
   }
   /// L⁻ᵀ of the first left vectors: M-orthonormal.
-  Eigen::MatrixXd directions(const Eigen::JacobiSVD<Eigen::MatrixXd>& svd, Index count) const {
-    const Eigen::MatrixXd U = svd.matrixU().leftCols(count);
+  Eigen::MatrixXd directions(const DenseSvd& svd, Index count) const {
+    const Eigen::MatrixXd U = svd.left.leftCols(count);
     return M.llt().matrixU().solve(U);
   }
   /// Σ ‖(I − Q QᵀM) x‖²_M
@@ -58,8 +56,8 @@ TEST_F(Principals, OneBlockIsADenseDecomposition) {
   const auto expected = svd(x);
   const Principal set = add_in_blocks(x, 20, {});
   ASSERT_EQ(set.sigma.size(), 20);
-  const double first = expected.singularValues()[0];
-  EXPECT_LE((set.sigma - expected.singularValues()).cwiseAbs().maxCoeff(), 1e-13 * first);
+  const double first = expected.values[0];
+  EXPECT_LE((set.sigma - expected.values).cwiseAbs().maxCoeff(), 1e-13 * first);
   EXPECT_LE(largest_sine(M, directions(expected, 6), whole(p.mesh.comm, set.Q.leftCols(6))), 1e-11);
   EXPECT_LE(set.discarded, 1e-26 * first * first);  // rounding alone
 }
@@ -72,10 +70,10 @@ TEST_F(Principals, ManyBlocksAgreeToWhatTheyDiscard) {
     const Principal set = add_in_blocks(x, block, cut);
     EXPECT_LT(set.sigma.size(), 40) << "something is dropped";
     EXPECT_GT(set.discarded, 0);
-    EXPECT_LE((set.sigma.head(8) - expected.singularValues().head(8)).cwiseAbs().maxCoeff(), std::sqrt(set.discarded));
+    EXPECT_LE((set.sigma.head(8) - expected.values.head(8)).cwiseAbs().maxCoeff(), std::sqrt(set.discarded));
     EXPECT_LE(projection_error(x, set.Q), set.discarded * (1 + 1e-9)) << block;
     // The trace is kept: what stands and what went make up the whole.
-    const double all = expected.singularValues().squaredNorm();
+    const double all = expected.values.squaredNorm();
     EXPECT_NEAR((set.sigma.squaredNorm() + set.discarded) / all, 1, 1e-13);
     const Index n = set.sigma.size();
     const Eigen::MatrixXd Q = whole(p.mesh.comm, set.Q);

@@ -1,10 +1,8 @@
 // Different ways to the same modes: block Lanczos, SLEPc's Krylov-Schur, multigrid, and Eigen's dense solver.
 #include <gmock/gmock.h>
 
-#include <Eigen/Eigenvalues>
-
 #include "ritz/base/error.hpp"
-#include "support/principal_angles.hpp"
+#include "support/dense_algebra.hpp"
 #include "support/problem.hpp"
 
 namespace ritz::test {
@@ -12,11 +10,6 @@ namespace {
 
 using stages::ModesOptions;
 using stages::Strategy;
-
-Eigen::VectorXd dense_eigenvalues(const Problem& p) {
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(dense(p.full.stiffness), dense(p.full.mass));
-  return eigen.eigenvalues();
-}
 
 void expect_same(const Problem& p, const stages::ModesResult& a, const stages::ModesResult& b, double gate) {
   ASSERT_EQ(a.modes.eigenvalues.size(), b.modes.eigenvalues.size());
@@ -40,7 +33,7 @@ class Strategies : public testing::TestWithParam<Case> {
 
 TEST_P(Strategies, LanczosFindsWhatADenseSolverFinds) {
   const auto result = modes(p, 12);
-  const Eigen::VectorXd all = dense_eigenvalues(p), lambda = flexible(result.modes);
+  const Eigen::VectorXd all = dense_modes(p).values, lambda = flexible(result.modes);
   const Eigen::VectorXd expected = all.segment(rigid_count(result.modes), lambda.size());
   // A dense solver's own error is of the order of ε times the largest eigenvalue.
   const double floor = 1e-15 * all.tail(1)[0];

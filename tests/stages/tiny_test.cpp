@@ -1,9 +1,8 @@
 // The smallest problems: one cell, more ranks than cells, one free vertex, as many modes as there are, none.
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
-
 #include "ritz/base/error.hpp"
+#include "support/dense_algebra.hpp"
 #include "support/lattice_mesh.hpp"
 #include "support/problem.hpp"
 
@@ -28,8 +27,7 @@ mesh::FileMesh one_cell(fem::CellType type) {
 
 /// All flexible eigenvalues agree with the dense solver's, to ε times the largest.
 void expect_dense(const Problem& p, const stages::ModesResult& result) {
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(dense(p.full.stiffness), dense(p.full.mass));
-  const Eigen::VectorXd& all = eigen.eigenvalues();
+  const Eigen::VectorXd all = dense_modes(p).values;
   const Eigen::VectorXd lambda = flexible(result.modes);
   ASSERT_LE(result.modes.eigenvalues.size(), all.size());
   for (Eigen::Index i = 0; i < lambda.size(); ++i)
