@@ -21,6 +21,6 @@ endif()
 if(RITZ_SANITIZE)
   # GCC documents false alarms of this warning in instrumented code; the build without instruments has it.
   target_compile_options(ritz_settings INTERFACE -Wno-maybe-uninitialized)
-  add_compile_options(-fsanitize=${RITZ_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
-  add_link_options(-fsanitize=${RITZ_SANITIZE})
+  add_compile_options(${RITZ_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_link_options(${RITZ_SANITIZE})
 endif()

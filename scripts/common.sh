@@ -40,9 +40,11 @@ quietly() {
   rm -f "$log"
 }
 
-# cmake --build with ninja's progress line on a terminal, and with nothing but errors elsewhere.
+# cmake --build with ninja's progress line on a terminal, and with nothing but errors elsewhere. As many compilers as
+# cores: ninja's two more cost a fifth of the time, since they share the caches.
 build() {
-  if [[ -t 1 ]]; then cmake --build "$@"; else cmake --build "$@" -- --quiet; fi
+  local words=(--parallel "$(nproc)" "$@")
+  if [[ -t 1 ]]; then cmake --build "${words[@]}"; else cmake --build "${words[@]}" -- --quiet; fi
 }
 
 # One BLAS thread a rank, and an Open MPI that runs as root, in a container and on fewer cores than ranks.

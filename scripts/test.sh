@@ -1,19 +1,25 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, and passes every test. Its last line counts them.
-#   scripts/test.sh [--sanitized] [--quick]
-#   --sanitized  builds with the address and the undefined behaviour sanitizer, in a folder of its own
-#   --quick      leaves out the tests that are labelled slow
+#   scripts/test.sh [--preset NAME] [--quick] [-DNAME=VALUE ...]
+#   --preset  another build of CMakePresets.json, in a folder of its own: address, undefined (two sanitizers)
+#   --quick   leaves out what takes long, and ranks other than 2: the tests with the label "thorough"
+#   -D...     is for cmake
 set -euo pipefail
 # shellcheck source=scripts/common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 preset=default
 selection=()
+definitions=(-DRITZ_WERROR=ON)
 while (($#)); do
   case $1 in
-    --sanitized) preset=sanitized ;;
-    --quick) selection=(--label-exclude slow) ;;
-    *) fail "test.sh knows --sanitized and --quick, not '$1'." ;;
+    --preset)
+      preset=${2:-}
+      [[ $preset =~ ^(default|address|undefined|runtime-only)$ ]] || fail "--preset wants default, address, undefined or runtime-only."
+      shift ;;
+    --quick) selection=(--label-exclude thorough) ;;
+    -D*) definitions+=("$1") ;;
+    *) fail "test.sh knows --preset NAME, --quick and -DNAME=VALUE, not '$1'." ;;
   esac
   shift
 done
@@ -22,11 +28,11 @@ cd "$root"
 install_packages
 prepare_environment
 tree=build/$preset
-quietly cmake --preset "$preset" -DRITZ_WERROR=ON
+quietly cmake --preset "$preset" "${definitions[@]}"
 build "$tree"
 
 rm -f "$tree/ctest.xml"
 status=0
-ctest --test-dir "$tree" -j 2 --output-on-failure --no-tests=error --output-junit ctest.xml "${selection[@]}" || status=$?
+ctest --test-dir "$tree" -j 3 --output-on-failure --no-tests=error --output-junit ctest.xml "${selection[@]}" || status=$?
 [[ -s $tree/ctest.xml ]] && tally "$tree/ctest.xml"
 exit "$status"
