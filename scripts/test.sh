@@ -33,6 +33,6 @@ build "$tree"
 
 rm -f "$tree/ctest.xml"
 status=0
-ctest --test-dir "$tree" -j 3 --output-on-failure --no-tests=error --output-junit ctest.xml "${selection[@]}" || status=$?
+ctest --test-dir "$tree" -j 2 --output-on-failure --no-tests=error --output-junit ctest.xml "${selection[@]}" || status=$?
 [[ -s $tree/ctest.xml ]] && tally "$tree/ctest.xml"
 exit "$status"
