@@ -43,7 +43,7 @@ quietly() {
 # cmake --build with ninja's progress line on a terminal, and with nothing but errors elsewhere. As many compilers as
 # cores: ninja's two more cost a fifth of the time, since they share the caches.
 build() {
-  local words=(--parallel "$(nproc)" "$@")
+  local words=("$@" --parallel "$(nproc)")
   if [[ -t 1 ]]; then cmake --build "${words[@]}"; else cmake --build "${words[@]}" -- --quiet; fi
 }
 
