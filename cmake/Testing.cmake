@@ -1,7 +1,7 @@
 # ritz_add_test(NAME SOURCES a.cpp ... LINKS layers... [RANKS 1 2 3] [TIMEOUT s] [OWN_EIGEN])
 # A GoogleTest executable test_NAME. With RANKS it is run under mpirun once for each number of ranks, with a main that
 # starts PETSc and fails on every rank when one rank fails; without, it is a serial program. OWN_EIGEN: the sources
-# change what Eigen's headers say, to count allocations; sanitizers, which allocate in their own way, go without.
+# change what Eigen's headers say.
 # Tests with the label "thorough" are left out of a quick run: whatever takes long, and ranks other than 2.
 find_package(GTest REQUIRED)
 include(CTest)
@@ -25,9 +25,6 @@ function(ritz_add_test name)
   cmake_parse_arguments(T "OWN_EIGEN" "TIMEOUT" "SOURCES;LINKS;RANKS" ${ARGN})
   if(NOT T_TIMEOUT)
     set(T_TIMEOUT 300)
-  endif()
-  if(T_OWN_EIGEN AND RITZ_SANITIZE)
-    return()
   endif()
   set(target test_${name})
   add_executable(${target} ${T_SOURCES})
