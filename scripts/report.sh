@@ -27,7 +27,7 @@ done
 
 build_programs ritz-reduce ritz-run ritz-full
 if [[ $form == full ]]; then
-  quietly cmake --preset runtime-only
+  quietly cmake --preset runtime-only -DRITZ_TESTS=OFF
   build build/runtime-only
   quietly cmake --install build/runtime-only --prefix build/runtime-only/installed
   words+=(--runtime build/runtime-only/installed)
