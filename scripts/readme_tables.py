@@ -33,8 +33,8 @@ def reach(folder):
     lines = []
     for scene in compare.scenes(rows):
         here = [row for row in rows if row["scene"] == scene]
-        best = [compare.to_reach([row for row in here if row["method"] == name], 0.01) for name in names]
-        lines.append([here[0]["title"], *("–" if row is None else f"{row['seconds']:.3g} s" for row in best)])
+        lines.append([here[0]["title"],
+                      *(compare.time_to([row for row in here if row["method"] == name], 0.01) for name in names)])
     return markdown(["time of stepping to 1 %", *(diagram.TITLES[name] for name in names)], lines)
 
 

@@ -26,6 +26,16 @@ def to_reach(rows, error):
     return min(good, key=lambda row: row["seconds"], default=None)
 
 
+def time_to(rows, error):
+    """In words: the time of the cheapest run that is at most so wrong, or how near the best one comes."""
+    row = to_reach(rows, error)
+    if row:
+        return f"{row['seconds']:.3g} s"
+    if not done(rows):
+        return "failed" if rows else "–"
+    return f"{100 * min(row['error_integrated'] for row in done(rows)):.2g} % at best"
+
+
 def break_even(row, rows):
     """After how many steps the making of the reduced model is paid back, against the full model with AVF at the same
     step (or the nearest that was run); NaN where the full model is not slower, or was not run."""

@@ -59,14 +59,15 @@ def picture(folder, name, figure):
 def reach_table(rows):
     lines = []
     for method in METHODS:
-        row = compare.to_reach([row for row in rows if row["method"] == method.name], 0.01)
+        of_method = [row for row in rows if row["method"] == method.name]
+        row = compare.to_reach(of_method, 0.01)
         if row:
             lines.append((method.title, diagram.knobs(row), row["integrator"], row["precision"], number(row["step"]),
                           percent(row["error_integrated"]), number(row["seconds"], " s"), number(row["microseconds"]),
                           number(row["microseconds_p99"]), number(row["precompute_seconds"], " s"),
                           number(compare.break_even(row, rows))))
-        elif any(row["method"] == method.name for row in rows):
-            lines.append((method.title, "", "", "", "", "not reached", "", "", "", "", ""))
+        elif of_method:
+            lines.append((method.title, "", "", "", "", compare.time_to(of_method, 0.01), "", "", "", "", ""))
     return rows_table("Time to reach an error of 1 %", ("method", "knobs", "integrator", "precision", "step", "error",
                       "time of stepping", "µs a step", "p99", "precomputation", "break-even steps"), lines)
 
@@ -77,9 +78,8 @@ def summary_table(rows):
     lines = []
     for scene in compare.scenes(rows):
         here = [row for row in rows if row["scene"] == scene]
-        best = [compare.to_reach([row for row in here if row["method"] == name], 0.01) for name in names]
-        times = ("not reached" if row is None else number(row["seconds"], " s") for row in best)
-        lines.append((here[0]["title"], *times))
+        lines.append((here[0]["title"],
+                      *(compare.time_to([row for row in here if row["method"] == name], 0.01) for name in names)))
     heads = ("scene", *(diagram.TITLES[name] for name in names))
     return rows_table("Time of stepping to reach an error of 1 %", heads, lines)
 

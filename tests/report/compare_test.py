@@ -30,6 +30,13 @@ class Compare(unittest.TestCase):
         self.assertEqual(compare.to_reach(rows, 0.01)["key"], "good")
         self.assertIsNone(compare.to_reach(rows, 1e-4))
 
+    def test_words_for_the_time_to_an_error(self):
+        rows = [row(seconds=2, error_integrated=0.013), row(status="failed", error_integrated=0.0)]
+        self.assertEqual(compare.time_to(rows, 0.02), "2 s")
+        self.assertEqual(compare.time_to(rows, 0.01), "1.3 % at best")
+        self.assertEqual(compare.time_to(rows[1:], 0.01), "failed")
+        self.assertEqual(compare.time_to([], 0.01), "–")
+
     def test_break_even(self):
         full = row(method="full", microseconds=5010.0, precompute_seconds=math.nan)
         other = row(method="full", microseconds=1.0, scene="another")

@@ -67,7 +67,7 @@ class Page(unittest.TestCase):
         derivatives = next(line for line in lines if "modes + derivatives" in line)
         self.assertIn("0.8 %", derivatives)
         self.assertIn("0.005 s", derivatives)
-        self.assertIn("not reached", page.reach_table([row(error_integrated=0.02)]))
+        self.assertIn("2 % at best", page.reach_table([row(error_integrated=0.02)]))
 
     def test_a_scene_where_all_runs_failed(self):
         with tempfile.TemporaryDirectory() as folder:
