@@ -40,7 +40,7 @@ METHODS = (
            tuple(Knobs(k) for k in (2, 4, 8, 16, 32)), Knobs(8), ("avf",)),
     Method("derivatives", "modes + derivatives", "reduced",
            ("-modes", "{k}", "-derivatives", "{k}", "-basis", "{r}", "-polynomial"),
-           tuple(Knobs(*kr) for kr in ((2, 5), (4, 8), (4, 14), (8, 12), (8, 20), (8, 30), (8, 44))), Knobs(8, 20),
+           tuple(Knobs(*kr) for kr in ((2, 5), (4, 8), (4, 14), (8, 12), (8, 20), (8, 30), (8, 44), (16, 60))), Knobs(8, 20),
            NONLINEAR_INTEGRATORS, ("avf", "newmark", "implicit-euler")),
     Method("pod", "POD of the full run", "reduced", ("-modes", "0", "-basis", "{r}", "-polynomial"),
            tuple(Knobs(0, r) for r in (5, 10, 20, 40)), Knobs(0, 20), ("avf",), learns=True),

@@ -122,6 +122,7 @@ def scene_part(folder, rows, frames):
     return text + "\n".join((
         picture(folder, f"{name}_work_precision", pictures.work_precision(rows)), reach_table(rows),
         picture(folder, f"{name}_over_time", pictures.over_time(rows, here)),
+        picture(folder, f"{name}_break_even", pictures.break_even(rows)),
         picture(folder, f"{name}_parts", pictures.parts(rows)), cost_table(rows)))
 
 

@@ -5,6 +5,7 @@ matplotlib.use("Agg")
 matplotlib.rcParams.update({"svg.fonttype": "none", "font.size": 9, "axes.grid": True, "grid.alpha": 0.25,
                             "legend.frameon": False, "legend.fontsize": 8, "axes.titlesize": 10})
 import matplotlib.pyplot as plt  # noqa: E402  (after the choice of backend)
+import numpy as np  # noqa: E402
 
 from report import compare, diagram  # noqa: E402
 from report.diagram import COLOURS, MARKS, TITLES, named, size_of  # noqa: E402
@@ -36,20 +37,53 @@ def work_precision(rows):
     return figure
 
 
+def best_sizes(rows):
+    """Of each method the run of the basis sweep with the least error."""
+    for name in TITLES:
+        chosen = [row for row in compare.done(rows) if row["method"] == name and row["sweep"] == "basis"]
+        if chosen:
+            yield min(chosen, key=lambda row: row["error_integrated"])
+
+
 def over_time(rows, frames):
     """The best run of each method at the basis sweep's step."""
     figure, axes = plt.subplots(figsize=(11, 4.2), layout="constrained")
-    for name in TITLES:
-        chosen = [row for row in compare.done(rows) if row["method"] == name and row["sweep"] == "basis"]
-        if not chosen:
-            continue
-        row = min(chosen, key=lambda row: row["error_integrated"])
+    for row in best_sizes(rows):
         line = [(frame["t"], frame["error"]) for frame in frames if frame["key"] == row["key"] and frame["error"] > 0]
         if line:
-            axes.plot(*zip(*line), color=COLOURS[name], label=named(row), marker="o" if len(line) < 3 else None)
+            axes.plot(*zip(*line), color=COLOURS[row["method"]], label=named(row),
+                      marker="o" if len(line) < 3 else None)
     axes.set(yscale="log", ylabel="‖u − v‖_M / max ‖v‖_M",
              xlabel="t, s" if rows[0]["analysis"] == "time" else "load fraction",
              title="Error over time: of each method its best size")
+    axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+    return figure
+
+
+MOST_STEPS = 1e6
+
+
+def spent(row, steps):
+    """Seconds that so many steps take, with all that is done before them."""
+    before = 0.0 if row["method"] == "full" else row["precompute_seconds"]
+    return before + 1e-6 * row["microseconds"] * steps
+
+
+def break_even(rows):
+    """What so many steps cost with all that was done before them; where a reduced model's line meets the full one's,
+    it is paid back."""
+    figure, axes = plt.subplots(figsize=(11, 4.2), layout="constrained")
+    steps = np.geomspace(1.0, MOST_STEPS, 200)
+    for row in best_sizes(rows):
+        label = f"{named(row)} ({100 * row['error_integrated']:.2g} % off)"
+        axes.plot(steps, spent(row, steps), color=COLOURS[row["method"]], label=label)
+        paid = compare.break_even(row, rows)
+        if paid <= MOST_STEPS:
+            axes.plot(paid, spent(row, paid), marker="o", color=COLOURS[row["method"]])
+            axes.annotate(f"{paid:.0f}", (paid, spent(row, paid)), xytext=(4, -10), textcoords="offset points",
+                          fontsize=7, color=COLOURS[row["method"]])
+    axes.set(xscale="log", yscale="log", xlabel="steps", ylabel="s, precomputation and training included",
+             title="Steps after which a reduced model is paid back: of each method its best size")
     axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
     return figure
 

@@ -151,7 +151,7 @@ def fork(factor):
         ranks=2, step_sizes=(("derivatives", (4, 14)),), step_cost=0.25)
     if factor == 1:
         return on_another_mesh(scene, meshes.Fork(0.004, 10))
-    return replace(scene, steps=halved(1e-4, 2), limits=Limits(methods=("linear", "derivatives"), sweeps=("basis",)))
+    return replace(scene, steps=halved(1e-4, 2), limits=Limits(integrators=("exact", "avf")))
 
 
 def block(cells, finer, **changes):

@@ -6,7 +6,7 @@ import unittest
 from pathlib import Path
 
 from support import row
-from report import errors, page, table
+from report import compare, errors, page, table
 
 SIZES = ((4, 8, 1e-3, 0.2), (4, 14, 2e-3, 0.06), (8, 20, 5e-3, 0.008))
 
@@ -68,6 +68,13 @@ class Page(unittest.TestCase):
         self.assertIn("0.8 %", derivatives)
         self.assertIn("0.005 s", derivatives)
         self.assertIn("2 % at best", page.reach_table([row(error_integrated=0.02)]))
+
+    def test_where_a_model_is_paid_back_is_drawn(self):
+        self.assertTrue((self.folder / "beam_break_even.png").exists())
+        derivatives = next(one for one in motion() if one["key"] == "d820")
+        self.assertEqual(compare.break_even(derivatives, motion()), 201)
+        self.assertIn(">201</text>", self.text)
+        self.assertIn("modes + derivatives, k8 r20 (0.8 % off)", self.text)
 
     def test_a_scene_where_all_runs_failed(self):
         with tempfile.TemporaryDirectory() as folder:
