@@ -9,11 +9,13 @@ from unittest import mock
 
 from support import row  # noqa: F401  (puts the package on the path)
 from report import campaign, programs, scenes, table
-from report.methods import Form
+from report.methods import Form, plan
 from report.progress import Progress
 from report.scenes import Limits
 
 FORM = Form(3, 100.0, Limits(methods=("linear", "derivatives"), sweeps=("basis",)))
+RUNS = len(plan(scenes.QUICK[0], FORM))
+GOOD = RUNS - 1  # one of them fails
 FOUND = SimpleNamespace(body=SimpleNamespace(facts={"cells": 7}), facts={"floor": 1e-3})
 
 
@@ -57,20 +59,20 @@ class Campaigns(unittest.TestCase):
     def test_rows(self):
         self.run_it()
         rows = self.rows()
-        self.assertEqual(len(rows), 12)
+        self.assertEqual(len(rows), RUNS)
         failed = [one for one in rows if one["status"] == "failed"]
         self.assertEqual([one["reason"] for one in failed], ["the step does not converge"])
         done = next(one for one in rows if one["status"] == "done")
         samples = [10.0 * (i + 1) for i, key in enumerate(self.timed) if key == done["key"]]
         self.assertEqual((done["repetitions"], done["microseconds"]), (3, sorted(samples)[1]))
         self.assertEqual(done["cells"], 7)
-        self.assertEqual(len(table.read(self.output / "over_time.csv")), 2 * 11)
+        self.assertEqual(len(table.read(self.output / "over_time.csv")), 2 * GOOD)
 
     def test_methods_take_turns(self):
         self.run_it()
         for repetition in range(3):
-            self.assertEqual(len(set(self.timed[11 * repetition:11 * (repetition + 1)])), 11)
-        self.assertNotEqual(self.timed[:11], self.timed[11:22])
+            self.assertEqual(len(set(self.timed[GOOD * repetition:GOOD * (repetition + 1)])), GOOD)
+        self.assertNotEqual(self.timed[:GOOD], self.timed[GOOD:2 * GOOD])
 
     def test_finished_runs_are_not_run_again(self):
         self.run_it()
@@ -81,20 +83,20 @@ class Campaigns(unittest.TestCase):
         self.assertEqual((self.output / "runs.csv").read_bytes(), before)
 
     def test_an_interruption_loses_nothing(self):
-        for self.stop_after in (5, 12, 20, 44):
+        for self.stop_after in (5, RUNS, RUNS + 8, RUNS + 3 * GOOD - 1):
             with self.assertRaises(Stopped):
                 self.run_it()
             self.assertEqual(len(self.judged) + len(self.timed), self.stop_after)
         self.stop_after = None
         self.run_it()
-        self.assertEqual(len(self.judged), 12)
-        self.assertEqual(len(self.timed), 33)
-        self.assertEqual(len(self.rows()), 12)
+        self.assertEqual(len(self.judged), RUNS)
+        self.assertEqual(len(self.timed), 3 * GOOD)
+        self.assertEqual(len(self.rows()), RUNS)
 
     def test_another_build_runs_anew(self):
         self.run_it()
         self.run_it("another build")
-        self.assertEqual(len(self.judged), 24)
+        self.assertEqual(len(self.judged), 2 * RUNS)
         self.assertEqual({one["program"] for one in self.rows()}, {"another build"})
 
     def test_long_runs_are_repeated_less(self):
