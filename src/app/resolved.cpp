@@ -11,7 +11,7 @@ Options resolved(const config::Config& config, const mesh::Mesh& mesh, stages::S
   auto options = config.resolved;
   for (auto& [name, value] : options) {
     if (name == "solver") value = strategy == stages::Strategy::direct ? "direct" : "iterative";
-    if (name == "snapshots") value += " (checksum " + file_checksum(mesh.comm, value) + ")";
+    if (name == "snapshots" || name == "accuracy_scene") value += " (checksum " + file_checksum(mesh.comm, value) + ")";
   }
   if (config.file_supports == mesh::FileSupports::used) {
     const bool held = parallel::max(mesh.comm, static_cast<std::int32_t>(!mesh.supports.empty())) > 0;

@@ -12,7 +12,7 @@ namespace ritz::app {
 using Options = std::vector<std::pair<std::string, std::string>>;
 
 /// All options with what they came to: the solver that was chosen, what -fix stands for where it is left out, and the
-/// checksum of the file of -snapshots. *Collective*.
+/// checksums of the files of -snapshots and -accuracy_scene. *Collective*.
 Options resolved(const config::Config& config, const mesh::Mesh& mesh, stages::Strategy strategy);
 
 /// The value of an option among these; empty where it is none of them.

@@ -65,6 +65,15 @@ class Nonlinear(InAFolder):
         # The tip moves most: its error is about that of the whole body.
         self.assertLess(np.linalg.norm(tip - full), 2 * target * np.linalg.norm(full))
 
+    def test_a_basis_for_an_error_is_used_again_until_its_scene_changes(self):
+        words = [*BEAM, "-accuracy", "1e-1", "-accuracy_scene", "scene.toml"]
+        self.reduce(*words, "-output", "old.h5")
+        self.assertIn("reusing the basis", self.reduce(*words, "-reuse", "old.h5").stdout)
+        (self.folder / "scene.toml").write_text(STATIC.replace("-3", "-1"))
+        result = self.reduce(*words, "-reuse", "old.h5")
+        self.assertNotIn("reusing", result.stdout)
+        self.assertIn("nothing is reused of old.h5: its basis was made with", result.stderr)
+
     def test_snapshots_of_the_full_model_give_its_states_back(self):
         full = self.full()
         with h5py.File(self.folder / "full.h5") as file:
