@@ -7,6 +7,7 @@
 #include "ritz/base/counted.hpp"
 #include "ritz/fem/dispatch.hpp"
 #include "ritz/parallel/comm.hpp"
+#include "ritz/stages/reduce_polynomial.hpp"
 
 namespace ritz::app {
 namespace {
@@ -67,7 +68,7 @@ Vectors vectors_of(const Workload& work) {
   v.columns = std::min({v.columns, v.all(), work.dofs});
   if (options.cut.size > 0) v.columns = std::min<double>(v.columns, options.cut.size);
   if (work.config.forces == config::ReducedForces::polynomial)
-    v.columns = std::min(v.columns, static_cast<double>(most_coordinates));
+    v.columns = std::min(v.columns, static_cast<double>(stages::most_coordinates));
   return v;
 }
 

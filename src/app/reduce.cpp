@@ -63,9 +63,9 @@ ReducedBasis reduce_basis(const config::Config& config, const mesh::Mesh& mesh, 
 ReducedPolynomial reduce_forces(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
                                 const stages::Full& full, const petsc::Tall& u, Progress& progress) {
   if (config.forces == config::ReducedForces::none) return {};
-  if (u.cols() > most_coordinates)
+  if (u.cols() > stages::most_coordinates)
     throw InputError("a polynomial of " + std::to_string(u.cols()) + " coordinates is too large (at most " +
-                     std::to_string(most_coordinates) + "); give -basis R, such as -basis 30");
+                     std::to_string(stages::most_coordinates) + "); give -basis R, such as -basis 30");
   auto value = progress.stage("polynomial", [&] { return stages::reduce_polynomial(mesh, full.materials, u); });
   auto witness = progress.stage("witness", [&] { return stages::polynomial_witness(mesh, dofs, full, u, value); });
   return {std::move(value), std::move(witness)};

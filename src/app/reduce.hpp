@@ -10,9 +10,6 @@
 
 namespace ritz::app {
 
-/// Coordinates of a polynomial: its quartic part then has 22 million numbers.
-inline constexpr Eigen::Index most_coordinates = 150;
-
 /// The basis U, rows of free degrees of freedom: the modes themselves where no basis was asked for.
 struct ReducedBasis {
   petsc::Tall U;

@@ -9,6 +9,7 @@
 #include "ritz/petsc/eigensolver.hpp"
 #include "ritz/petsc/newton.hpp"
 #include "ritz/petsc/options.hpp"
+#include "ritz/stages/reduce_polynomial.hpp"
 
 namespace ritz::config {
 namespace {
@@ -126,6 +127,10 @@ void read_basis(Database& options, Config& config) {
   else basis.cut.tolerance = options.real("basis_tolerance", basis.cut.tolerance, 1e-12, 0.999);
   config.snapshots = options.text("snapshots");
   config.forces = options.flag("polynomial") ? ReducedForces::polynomial : ReducedForces::none;
+  if (config.forces == ReducedForces::polynomial && basis.cut.size > stages::most_coordinates)
+    throw InputError("option -basis " + std::to_string(basis.cut.size) +
+                     " is too large for -polynomial, which has at most " + std::to_string(stages::most_coordinates) +
+                     " coordinates; lower it");
   if (basis.derivatives > config.modes.count)
     throw InputError("option -derivatives " + std::to_string(basis.derivatives) + " asks for more modes than -modes " +
                      std::to_string(config.modes.count) + "; raise -modes");

@@ -9,6 +9,9 @@
 
 namespace ritz::stages {
 
+/// Coordinates of a polynomial: its quartic part then has 22 million numbers.
+inline constexpr int most_coordinates = 150;
+
 /// All coefficients, exact for the elements' own quadrature rules. `u`: the basis over owned vertices, 3 rows a vertex.
 ///
 /// At a quadrature point the strain is E = Σ z_i sym(G_i) + Σ_{i≤j} z_i z_j Q_ij with G_i the displacement gradient of

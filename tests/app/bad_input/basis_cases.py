@@ -41,6 +41,7 @@ SIZES = [
     bad("derivatives of fewer than no modes", "-derivatives -1", "-derivatives"),
     bad("a basis larger than its set", "-derivatives 2 -basis 6", "-basis 6", "only 5 "),
     bad("a basis larger than its modes", "-basis 3", "-basis 3", "only 2 "),
+    bad("a basis too large for a polynomial", "-basis 151 -polynomial", "-basis 151", "150"),
     bad("a basis of nothing", "-basis 0", "-basis"),
     bad("two cuts", "-basis 2 -basis_tolerance .1", "-basis_tolerance", "-basis "),
     bad("a tolerance of 1", "-basis_tolerance 1", "-basis_tolerance"),
