@@ -15,6 +15,7 @@ set(RITZ_MPI_ENVIRONMENT
   OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_hwloc_base_binding_policy=none
   OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1 OMPI_MCA_btl_vader_single_copy_mechanism=none
   OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1
+  OMPI_MCA_pml=ob1 OMPI_MCA_btl=self,vader PMIX_MCA_gds=hash HWLOC_COMPONENTS=-gl  # shared memory: nothing else is tried
   OMPI_MCA_odls_base_sigkill_timeout=0)  # else mpirun sleeps for a second whenever a program fails, as many tests want
 # Serial tests look for leaks at exit, those under MPI before they finalize it (tests/support/mpi_main.cpp).
 set(RITZ_LEAKS suppressions=${PROJECT_SOURCE_DIR}/tests/support/lsan.supp:print_suppressions=0)
@@ -32,6 +33,7 @@ function(ritz_add_test name)
   target_link_libraries(${target} PRIVATE ${T_LINKS} ritz_settings GTest::gtest GTest::gmock)
   target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/tests")
   target_compile_options(${target} PRIVATE ${RITZ_TEST_OPTIONS})
+  set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
   if(NOT T_OWN_EIGEN)
     target_precompile_headers(${target} REUSE_FROM ritz_tests)
   endif()

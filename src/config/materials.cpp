@@ -8,7 +8,7 @@
 namespace ritz::config {
 namespace {
 
-std::string shown(double x) {
+std::string rounded(double x) {
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", x);
   return text;
@@ -54,7 +54,7 @@ std::vector<const MaterialOptions*> own_options(const Config& config, const std:
 
 void check(const fem::StVK& m, const std::string& region) {
   const auto refuse = [&](const std::string& what, double value, const std::string& range) {
-    throw InputError("the " + what + " of region '" + region + "' is " + shown(value) + "; it must be " + range);
+    throw InputError("the " + what + " of region '" + region + "' is " + rounded(value) + "; it must be " + range);
   };
   if (!(m.young > 0) || !std::isfinite(m.young)) refuse("Young's modulus", m.young, "positive");
   if (!(m.poisson > -1 && m.poisson < 0.5)) refuse("Poisson's ratio", m.poisson, "above -1 and below 0.5");

@@ -9,8 +9,6 @@ namespace {
 
 constexpr auto eigenvalue_units = "rad^2/s^2";
 
-std::span<const double> view(const Eigen::VectorXd& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
-
 void write_certificate(const ModelWriter& out, const std::string& group, const model::Certificate& certificate) {
   create_group(out, group);
   write_attribute(out, group, schema::certified, name(certificate.kind));

@@ -4,12 +4,6 @@
 
 namespace ritz::format {
 
-namespace {
-
-std::span<const double> view(const Eigen::VectorXd& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
-
-}  // namespace
-
 void write_polynomial(ModelWriter& out, const model::Polynomial& polynomial, std::string_view body) {
   const auto group = schema::body_part(body, schema::polynomial);
   create_group(out, group);

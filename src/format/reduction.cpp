@@ -4,12 +4,6 @@
 
 namespace ritz::format {
 
-namespace {
-
-std::span<const double> view(const Eigen::VectorXd& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
-
-}  // namespace
-
 void write_reduction(ModelWriter& out, const model::Reduction& reduction, std::string_view body) {
   const auto group = schema::body_part(body, schema::reduction);
   create_group(out, group);

@@ -51,6 +51,7 @@ void write_vector(const ModelWriter& out, const std::string& path, std::string_v
   const auto mine = out.access().writes_small ? values : std::span<const T>();
   write_rows<T>(out, path, units, mine, {0, static_cast<Index>(values.size())});
 }
+inline std::span<const double> view(const Eigen::VectorXd& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
 /// Replicated; a row-major matrix of the same shape in the file.
 void write_matrix(const ModelWriter& out, const std::string& path, std::string_view units, const model::RowMatrix& m);
 

@@ -29,7 +29,7 @@ unsigned open(Sources& sources, const std::filesystem::path& path) {
   const auto size = std::filesystem::file_size(path, error);
   std::ifstream stream(path, std::ios::binary);
   if (error || !stream) refuse("cannot be read; check its permissions");
-  Source source{.path = path, .bytes = std::string(size, '\0')};
+  SourceFile source{.path = path, .bytes = std::string(size, '\0')};
   if (!stream.read(source.bytes.data(), static_cast<std::streamsize>(size))) refuse("cannot be read to its end");
   if (source.bytes.starts_with("\xEF\xBB\xBF")) source.bytes.erase(0, 3);  // UTF-8's mark, as Windows editors write it
   if (source.bytes.empty()) refuse("is empty");

@@ -13,14 +13,14 @@ namespace ritz::mesh {
 /// How an error names a place in a file: text by its line, binary data by its byte.
 enum class Counting { lines, bytes };
 
-struct Source {
+struct SourceFile {
   std::filesystem::path path;
   std::string bytes;
   Counting counting = Counting::lines;
 };
 
 /// The mesh file (number 0) and the files it includes. A deque, so that views of `bytes` stay valid.
-using Sources = std::deque<Source>;
+using Sources = std::deque<SourceFile>;
 
 struct Place {
   std::uint64_t file : 8 = 0;

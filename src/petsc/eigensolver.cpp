@@ -7,13 +7,12 @@
 
 #include "ritz/petsc/check.hpp"
 #include "ritz/petsc/csr.hpp"
+#include "ritz/petsc/handle.hpp"
 
 namespace ritz::petsc {
 namespace {
 
 constexpr const char* prefix = "modes_";
-
-MPI_Comm comm_of(Mat A) { return PetscObjectComm(reinterpret_cast<PetscObject>(A)); }
 
 std::vector<Vec> raw(const std::vector<Vector>& list) { return {list.begin(), list.end()}; }
 

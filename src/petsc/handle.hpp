@@ -1,4 +1,4 @@
-// Owners of PETSc and SLEPc objects: move-only, the raw handle reachable.
+// Owners of PETSc and SLEPc objects: move-only, the raw handle reachable; and whose they are.
 #pragma once
 #include <petscksp.h>
 #include <petscsf.h>
@@ -35,6 +35,9 @@ class Handle {
  private:
   T object_ = nullptr;
 };
+
+/// The ranks that share a matrix.
+inline MPI_Comm comm_of(Mat A) { return PetscObjectComm(reinterpret_cast<PetscObject>(A)); }
 
 using Matrix = Handle<Mat, MatDestroy>;
 using Vector = Handle<Vec, VecDestroy>;

@@ -6,6 +6,7 @@
 #include "ritz/base/random.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/petsc/check.hpp"
+#include "ritz/petsc/handle.hpp"
 #include "ritz/petsc/symmetric_eigen.hpp"
 
 namespace ritz::petsc {
@@ -13,8 +14,6 @@ namespace {
 
 constexpr int power_steps = 12;            ///< of the estimate of the largest eigenvalue
 constexpr double upper = 1.1, lower = .1;  ///< the smoother's interval, relative to that estimate
-
-MPI_Comm comm_of(Mat A) { return PetscObjectComm(reinterpret_cast<PetscObject>(A)); }
 
 Preconditioner hierarchy(Mat A, const std::string& prefix) {
   Preconditioner pc;

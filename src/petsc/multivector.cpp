@@ -7,6 +7,7 @@
 
 #include "ritz/parallel/comm.hpp"
 #include "ritz/petsc/check.hpp"
+#include "ritz/petsc/handle.hpp"
 #include "ritz/petsc/panel.hpp"
 #include "ritz/petsc/symmetric_eigen.hpp"
 
@@ -14,8 +15,6 @@ namespace ritz::petsc {
 namespace {
 
 constexpr Eigen::Index least_panel = 3;  ///< columns from which a panel, even a part of one, is faster
-
-MPI_Comm comm_of(Mat A) { return PetscObjectComm(reinterpret_cast<PetscObject>(A)); }
 
 /// c = alpha op(a) b + beta c, with op the transpose for 'T'. Nothing to sum over: c stays (BLAS refuses empty sides).
 void gemm(char op, double alpha, const ConstTallRef& a, const ConstTallRef& b, double beta, TallRef c) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "ritz/petsc/check.hpp"
+#include "ritz/petsc/handle.hpp"
 #include "ritz/petsc/symmetric_eigen.hpp"
 
 namespace ritz::stages {
@@ -13,8 +14,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 
 constexpr double well_conditioned = 1e-4;  ///< of a block's Cholesky factor, so that one normalisation is enough
-
-MPI_Comm comm_of(Mat M) { return PetscObjectComm(reinterpret_cast<PetscObject>(M)); }
 
 /// The M-complement's dimension.
 Index dimension(Mat M, Index locked) {
@@ -55,7 +54,7 @@ class Krylov {
     MatrixXd h = MatrixXd::Zero(locked_ + done_, width);
     const auto known = basis_.leftCols(locked_ + done_);
     for (int pass = 0; pass < 2; ++pass) {
-      const MatrixXd part = petsc::inner(comm_of(M_), known, petsc::multiply(M_, w));
+      const MatrixXd part = petsc::inner(petsc::comm_of(M_), known, petsc::multiply(M_, w));
       petsc::subtract(w, known, part);
       h += part;
     }
@@ -104,7 +103,7 @@ class Krylov {
   /// rank, start columns fill the places.
   void append(petsc::Tall w) {
     const Index room = std::min(block_, space_ - done_);
-    const MatrixXd gram = petsc::inner(comm_of(M_), w, mv_);
+    const MatrixXd gram = petsc::inner(petsc::comm_of(M_), w, mv_);
     const Eigen::LLT<MatrixXd> cholesky(gram);
     const auto pivots = cholesky.matrixLLT().diagonal().array().abs();
     const bool whole = cholesky.info() == Eigen::Success && w.cols() == room &&
@@ -130,7 +129,7 @@ class Krylov {
       pending_ += taken;
       if (pending_ < room) next = next_start(room - pending_);
     }
-    coupling_ = petsc::inner(comm_of(M_), V().middleCols(done_, pending_), petsc::multiply(M_, w));
+    coupling_ = petsc::inner(petsc::comm_of(M_), V().middleCols(done_, pending_), petsc::multiply(M_, w));
     mv_ = petsc::multiply(M_, V().middleCols(done_, pending_));
   }
 

@@ -12,7 +12,7 @@
 namespace ritz::stages {
 namespace {
 
-constexpr int most_halvings = 10;
+constexpr int most_step_halvings = 10;
 
 /// Acceleration a d + a₀ and velocity v d + v₀ in balance with Σ_k w_k f(u₀ + s_k d) and a load, d = u₁ − u₀.
 struct Rule {
@@ -113,7 +113,7 @@ class Motion {
       return;
     }
     ++report.rejected;
-    if (depth == most_halvings) give_up(state, dt);
+    if (depth == most_step_halvings) give_up(state, dt);
     advance(state, dt / 2, depth + 1);
     advance(state, dt / 2, depth + 1);
   }

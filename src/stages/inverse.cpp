@@ -5,14 +5,13 @@
 
 #include "ritz/base/error.hpp"
 #include "ritz/parallel/comm.hpp"
+#include "ritz/petsc/handle.hpp"
 
 namespace ritz::stages {
 namespace {
 
 constexpr double tolerance = 1e-11;
 constexpr int most_iterations = 500;
-
-MPI_Comm comm_of(Mat A) { return PetscObjectComm(reinterpret_cast<PetscObject>(A)); }
 
 Eigen::ArrayXd dots(MPI_Comm comm, const petsc::Tall& a, const petsc::Tall& b) {
   Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(1, a.cols());
@@ -37,7 +36,7 @@ Eigen::ArrayXd quotient(const Eigen::ArrayXd& a, const Eigen::ArrayXd& b) { retu
 
 Solved solve(const Full& full, const Inverse& inverse, const petsc::Tall& rigid, double norm_K,
              const petsc::ConstTallRef& b) {
-  const MPI_Comm comm = comm_of(full.stiffness);
+  const MPI_Comm comm = petsc::comm_of(full.stiffness);
   const petsc::Tall massive = petsc::multiply(full.mass, rigid);
   petsc::Tall r = b, z(b.rows(), b.cols());
   if (rigid.cols() > 0) petsc::subtract(r, massive, petsc::inner(comm, rigid, r));

@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "ritz/petsc/handle.hpp"
 #include "ritz/petsc/symmetric_eigen.hpp"
 
 namespace ritz::stages {
@@ -14,8 +15,6 @@ using Eigen::MatrixXd;
 
 constexpr double dependent = 1e-12;  ///< squared size of a direction that the others hold already
 constexpr int refreshing = 5;        ///< iterations between two clean-ups
-
-MPI_Comm comm_of(Mat A) { return PetscObjectComm(reinterpret_cast<PetscObject>(A)); }
 
 petsc::Tall joined(const petsc::ConstTallRef& a, const petsc::ConstTallRef& b) {
   petsc::Tall both(a.rows(), a.cols() + b.cols());
@@ -47,7 +46,7 @@ void refresh(Mat M, const petsc::ConstTallRef& locked, petsc::Tall& X, petsc::Ta
 LobpcgResult lobpcg(Mat K, Mat M, double norm_K, const BlockPreconditioner& precondition,
                     const petsc::ConstTallRef& locked, const petsc::ConstTallRef& start, const LobpcgOptions& options,
                     const LobpcgProgress& progress) {
-  const MPI_Comm comm = comm_of(K);
+  const MPI_Comm comm = petsc::comm_of(K);
   RitzPairs x = rayleigh_ritz(K, M, locked, start);
   petsc::Tall P(start.rows(), 0);
   LobpcgResult result;

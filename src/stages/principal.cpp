@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ritz/petsc/handle.hpp"
 #include "ritz/petsc/svd.hpp"
 
 namespace ritz::stages {
@@ -15,8 +16,6 @@ using Eigen::MatrixXd;
 constexpr double margin = 1e-3;  ///< of the σ at the cut: what is dropped while the set still grows
 constexpr double small_enough_for_jacobi = 1e-9;
 constexpr double independent = 1e-13;  ///< of σ₁: rounding makes smaller directions up
-
-MPI_Comm comm_of(Mat A) { return PetscObjectComm(reinterpret_cast<PetscObject>(A)); }
 
 /// The columns scaled to unit length: only for conditioning, the scale does not enter the decomposition.
 petsc::Tall normalised(MPI_Comm comm, const petsc::ConstTallRef& block) {
@@ -45,7 +44,7 @@ double dispensable(const Principal& set, const Cut& cut) {
 
 void add(Mat M, Principal& set, const petsc::ConstTallRef& block, const Cut& cut) {
   if (block.cols() == 0) return;
-  const MPI_Comm comm = comm_of(M);
+  const MPI_Comm comm = petsc::comm_of(M);
   const Index old = set.sigma.size();
   if (old == 0) set.Q.resize(block.rows(), 0);
   petsc::Tall fresh = normalised(comm, block);

@@ -3,19 +3,16 @@
 #include <limits>
 
 #include "ritz/petsc/check.hpp"
+#include "ritz/petsc/handle.hpp"
 #include "ritz/petsc/symmetric_eigen.hpp"
 
 namespace ritz::stages {
-namespace {
-
-MPI_Comm comm_of(Mat A) { return PetscObjectComm(reinterpret_cast<PetscObject>(A)); }
-
-}  // namespace
+namespace {}  // namespace
 
 RitzPairs rayleigh_ritz(Mat K, Mat M, const petsc::ConstTallRef& against, petsc::Tall x) {
   const int kept = petsc::orthonormalise(M, against, x);
   const auto basis = x.leftCols(kept);
-  const Eigen::MatrixXd product = petsc::inner(comm_of(K), basis, petsc::multiply(K, basis));
+  const Eigen::MatrixXd product = petsc::inner(petsc::comm_of(K), basis, petsc::multiply(K, basis));
   auto [values, vectors] = petsc::symmetric_eigen((product + product.transpose()) / 2);
   return {std::move(values), petsc::combine(basis, vectors)};
 }
@@ -27,7 +24,7 @@ double one_norm(Mat A) {
 }
 
 Residuals residuals(Mat K, Mat M, double norm_K, const RitzPairs& pairs) {
-  const MPI_Comm comm = comm_of(K);
+  const MPI_Comm comm = petsc::comm_of(K);
   const petsc::Tall mx = petsc::multiply(M, pairs.vectors);
   petsc::Tall r = petsc::multiply(K, pairs.vectors);
   r -= mx * pairs.values.asDiagonal();

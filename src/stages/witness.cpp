@@ -19,7 +19,7 @@ using Eigen::Index;
 constexpr double gate = 1e-11;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr int decades = 9;
-constexpr int halvings = 6, most_halvings = 14;
+constexpr int halvings = 6, sizes_tried = 14;
 constexpr double clear_of_rounding = 1e3;
 
 std::string shown(double x) {
@@ -113,9 +113,9 @@ Figures taylor_witness(const DerivativesSource& source, const std::vector<fem::S
         }
       });
   const double start = 0.01 * size_of(mesh) / largest(mesh.comm, line);
-  petsc::Tall path(psi.rows(), most_halvings);
-  Eigen::ArrayXd t(most_halvings);
-  for (Index n = 0; n < most_halvings; ++n) {
+  petsc::Tall path(psi.rows(), sizes_tried);
+  Eigen::ArrayXd t(sizes_tried);
+  for (Index n = 0; n < sizes_tried; ++n) {
     t[n] = start * std::pow(0.5, static_cast<double>(n));
     path.col(n) = t[n] * line + t[n] * t[n] * curve;
   }
@@ -126,7 +126,7 @@ Figures taylor_witness(const DerivativesSource& source, const std::vector<fem::S
   const Eigen::ArrayXd sizes = petsc::column_norms(mesh.comm, remainder).array();
   const Eigen::ArrayXd rounding = epsilon * one_norm(full.stiffness) * petsc::column_norms(mesh.comm, path).array();
   Index last = 0;
-  while (last < most_halvings && sizes[last] > clear_of_rounding * rounding[last]) ++last;
+  while (last < sizes_tried && sizes[last] > clear_of_rounding * rounding[last]) ++last;
   if (last <= halvings) return {{"witness_taylor_slope", std::numeric_limits<double>::quiet_NaN()}};
   const double slope = std::log2(sizes[last - 1 - halvings] / sizes[last - 1]) / halvings;
   if (!(slope > 2.9 && slope < 3.1))

@@ -1,6 +1,5 @@
 #include "run_analysis.hpp"
 
-#include <chrono>
 #include <cmath>
 #include <string>
 
@@ -9,13 +8,10 @@
 #include "ritz/runtime/statics.hpp"
 #include "ritz/runtime/step.hpp"
 #include "run_loads.hpp"
+#include "run_timing.hpp"
 
 namespace ritz::tools {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
 runtime::Oscillators oscillators(const scene::Scene& scene, const model::Body& body) {
   const auto& [alpha, beta, ratio] = scene.damping;

@@ -1,7 +1,6 @@
 #include "run_nonlinear.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "ritz/base/error.hpp"
@@ -9,13 +8,10 @@
 #include "ritz/runtime/nonlinear_step.hpp"
 #include "run_energy.hpp"
 #include "run_loads.hpp"
+#include "run_timing.hpp"
 
 namespace ritz::tools {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
 template <class Scalar>
 runtime::NonlinearModel<Scalar> nonlinear_model(const scene::Scene& scene, const model::Body& body) {

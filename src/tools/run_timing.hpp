@@ -1,5 +1,6 @@
 // What each step cost, as a table: --timing FILE.csv.
 #pragma once
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -15,6 +16,12 @@ struct StepCost {
   std::int64_t iterations = 0;  ///< Newton's, of nonlinear models
   std::int64_t rejected = 0;    ///< parts that did not converge and were halved
 };
+
+using Clock = std::chrono::steady_clock;
+
+inline double seconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
 
 /// t,microseconds,iterations,rejected with a row a step.
 class TimingWriter {
