@@ -75,13 +75,12 @@ def break_even(rows):
     figure, axes = plt.subplots(figsize=(11, 4.2), layout="constrained")
     steps = np.geomspace(1.0, MOST_STEPS, 200)
     for row in best_sizes(rows):
-        label = f"{named(row)} ({100 * row['error_integrated']:.2g} % off)"
-        axes.plot(steps, spent(row, steps), color=COLOURS[row["method"]], label=label)
         paid = compare.break_even(row, rows)
-        if paid <= MOST_STEPS:
+        after = f"\npaid back after {paid:.0f} steps" if paid <= MOST_STEPS else ""
+        label = f"{named(row)} ({100 * row['error_integrated']:.2g} % off){after}"
+        axes.plot(steps, spent(row, steps), color=COLOURS[row["method"]], label=label)
+        if after:
             axes.plot(paid, spent(row, paid), marker="o", color=COLOURS[row["method"]])
-            axes.annotate(f"{paid:.0f}", (paid, spent(row, paid)), xytext=(4, -10), textcoords="offset points",
-                          fontsize=7, color=COLOURS[row["method"]])
     axes.set(xscale="log", yscale="log", xlabel="steps", ylabel="s, precomputation and training included",
              title="Steps after which a reduced model is paid back: of each method its best size")
     axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
