@@ -36,20 +36,15 @@ def time_to(rows, error):
     return f"{100 * min(row['error_integrated'] for row in done(rows)):.2g} % at best"
 
 
-def full_beside(row, rows):
-    """The full model's run of the same scene with AVF at the same step (or the nearest that was run); None without."""
+def break_even(row, rows):
+    """After how many steps the making of the reduced model is paid back, against the full model with AVF at the same
+    step (or the nearest that was run); NaN where the full model is not slower, or was not run."""
     full = [other for other in done(rows) if other["method"] == "full" and other["scene"] == row["scene"]
             and other["integrator"] in ("avf", "")]
-    return min(full, key=lambda other: abs(math.log(other["step"] / row["step"])), default=None)
-
-
-def break_even(row, rows):
-    """After how many steps the making of the reduced model is paid back, against the full model beside it; NaN where
-    that is not slower, or was not run."""
-    full = full_beside(row, rows)
     if not full or row["status"] != "done" or math.isnan(row["precompute_seconds"]):
         return math.nan
-    saved = 1e-6 * (full["microseconds"] - row["microseconds"])
+    beside = min(full, key=lambda other: abs(math.log(other["step"] / row["step"])))
+    saved = 1e-6 * (beside["microseconds"] - row["microseconds"])
     return math.ceil(row["precompute_seconds"] / saved) if saved > 0 else math.nan
 
 

@@ -162,7 +162,7 @@ SNESConvergedReason run(SNES snes, Call& call, Tall& x) {
 }  // namespace
 
 Newton::Newton(Mat jacobian, LinearSolver solver, const ConstTallRef& near_null)
-    : snes_(make(PetscObjectComm(reinterpret_cast<PetscObject>(jacobian)))), jacobian_(jacobian), solver_(solver) {
+    : snes_(make(comm_of(jacobian))), jacobian_(jacobian), solver_(solver) {
   KSP ksp = linear(snes_);
   if (solver_ == LinearSolver::direct) set_direct(ksp, jacobian_);
   else set_iterative(ksp, jacobian_, near_null);

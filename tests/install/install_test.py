@@ -35,7 +35,8 @@ def expect(true, message):
 def build_and_install(source, work, prefix):
     build = work / "ritz"
     run("cmake", "-S", source, "-B", build, "-DRITZ_PRECOMPUTE=OFF", "-DRITZ_TESTS=OFF", "-DRITZ_WERROR=ON",
-        "-DCMAKE_BUILD_TYPE=Debug", "-DCMAKE_CXX_FLAGS_DEBUG=-O0", "-DCMAKE_UNITY_BUILD=ON")  # what is installed is the same, in less time
+        "-DCMAKE_BUILD_TYPE=Debug", "-DCMAKE_CXX_FLAGS_DEBUG=-O0", "-DCMAKE_UNITY_BUILD=ON")
+    # What is installed is the same, in less time.
     cache = (build / "CMakeCache.txt").read_text()
     expect(not re.search(r"^(PETSC|SLEPC|MPI_C)_FOUND", cache, re.MULTILINE), "a build without MPI looked for it")
     run("cmake", "--build", build, "--parallel", "2")
