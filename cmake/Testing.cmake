@@ -15,7 +15,7 @@ set(RITZ_MPI_ENVIRONMENT
   OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_hwloc_base_binding_policy=none
   OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1 OMPI_MCA_btl_vader_single_copy_mechanism=none
   OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1
-  OMPI_MCA_pml=ob1 OMPI_MCA_btl=self,vader PMIX_MCA_gds=hash HWLOC_COMPONENTS=-gl  # shared memory: nothing else is tried
+  OMPI_MCA_pml=ob1 OMPI_MCA_btl=self,vader PMIX_MCA_gds=hash HWLOC_COMPONENTS=-gl  # shared memory, and no search
   OMPI_MCA_odls_base_sigkill_timeout=0)  # else mpirun sleeps for a second whenever a program fails, as many tests want
 # Serial tests look for leaks at exit, those under MPI before they finalize it (tests/support/mpi_main.cpp).
 set(RITZ_LEAKS suppressions=${PROJECT_SOURCE_DIR}/tests/support/lsan.supp:print_suppressions=0)

@@ -5,6 +5,7 @@
 
 #include "ritz/parallel/comm.hpp"
 #include "ritz/petsc/check.hpp"
+#include "ritz/petsc/handle.hpp"
 
 namespace ritz::petsc {
 namespace {
@@ -19,7 +20,7 @@ PetscErrorCode destroy_storage(void* storage) {
 /// Lets A own the storage.
 void keep(Mat A, std::unique_ptr<Rows> storage) {
   Container container;
-  check(PetscContainerCreate(PetscObjectComm(reinterpret_cast<PetscObject>(A)), container.out()));
+  check(PetscContainerCreate(comm_of(A), container.out()));
   check(PetscContainerSetPointer(container, storage.release()));
   check(PetscContainerSetUserDestroy(container, destroy_storage));
   check(PetscObjectCompose(reinterpret_cast<PetscObject>(A), storage_name,

@@ -6,6 +6,7 @@
 #include "ritz/parallel/comm.hpp"
 #include "ritz/petsc/check.hpp"
 #include "ritz/petsc/csr.hpp"
+#include "ritz/petsc/handle.hpp"
 #include "ritz/petsc/multigrid.hpp"
 
 namespace ritz::petsc {

@@ -1,6 +1,7 @@
 #include "ritz/petsc/panel.hpp"
 
 #include "ritz/petsc/check.hpp"
+#include "ritz/petsc/handle.hpp"
 
 namespace ritz::petsc {
 namespace {
@@ -61,7 +62,7 @@ PanelProduct::Part PanelProduct::part_of(Mat A) {
 }
 
 PanelProduct::PanelProduct(Mat A) {
-  const MPI_Comm comm = PetscObjectComm(reinterpret_cast<PetscObject>(A));
+  const MPI_Comm comm = comm_of(A);
   PetscMPIInt ranks = 1;
   MPI_Comm_size(comm, &ranks);
   check(MatGetLocalSize(A, &rows_, nullptr));

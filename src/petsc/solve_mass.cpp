@@ -4,11 +4,12 @@
 
 #include "ritz/base/error.hpp"
 #include "ritz/petsc/check.hpp"
+#include "ritz/petsc/handle.hpp"
 
 namespace ritz::petsc {
 
 Tall solve_mass(Mat A, const ConstTallRef& b) {
-  const MPI_Comm comm = PetscObjectComm(reinterpret_cast<PetscObject>(A));
+  const MPI_Comm comm = comm_of(A);
   Solver ksp;
   PC pc = nullptr;
   check(KSPCreate(comm, ksp.out()));

@@ -3,6 +3,7 @@
 #include "ritz/parallel/comm.hpp"
 #include "ritz/parallel/ranked_text.hpp"
 #include "ritz/petsc/check.hpp"
+#include "ritz/petsc/handle.hpp"
 
 namespace ritz::petsc {
 namespace {
@@ -15,7 +16,7 @@ IndexSet rows_of(MPI_Comm comm, const std::vector<std::int64_t>& order) {
 }
 
 Matrix reordered(Mat A, const std::vector<std::int64_t>& order) {
-  const IndexSet rows = rows_of(PetscObjectComm(reinterpret_cast<PetscObject>(A)), order);
+  const IndexSet rows = rows_of(comm_of(A), order);
   Matrix B;
   check(MatCreateSubMatrix(A, rows, rows, MAT_INITIAL_MATRIX, B.out()));
   return B;
@@ -90,7 +91,7 @@ void write_dense_text(const std::filesystem::path& path, MPI_Comm comm, const Ta
 
 void write_matrix(const std::filesystem::path& path, Mat A, const std::vector<std::int64_t>& order,
                   MatrixFormat format) {
-  const MPI_Comm comm = PetscObjectComm(reinterpret_cast<PetscObject>(A));
+  const MPI_Comm comm = comm_of(A);
   const Matrix B = reordered(A, order);
   format == MatrixFormat::matrixmarket ? write_sparse_text(path, comm, B) : write_binary(path, comm, B);
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ritz/base/error.hpp"
+#include "ritz/petsc/handle.hpp"
 #include "ritz/stages/canonical.hpp"
 #include "ritz/stages/fixed_vectors.hpp"
 #include "ritz/stages/rayleigh_ritz.hpp"
@@ -35,7 +36,7 @@ void add_snapshots(const Full& full, const petsc::ConstTallRef& snapshots, const
   if (snapshots.cols() == 0) return;
   double scale = 1;
   if (set.sigma.size() > 0) {
-    const MPI_Comm comm = PetscObjectComm(reinterpret_cast<PetscObject>(full.mass.get()));
+    const MPI_Comm comm = petsc::comm_of(full.mass);
     const Eigen::MatrixXd squares = petsc::inner(comm, snapshots, petsc::multiply(full.mass, snapshots));
     const double largest = std::sqrt(squares.diagonal().maxCoeff());
     scale = largest > 0 ? 1 / largest : 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ritz/petsc/handle.hpp"
 #include "ritz/petsc/svd.hpp"
 
 namespace ritz::stages {
@@ -28,7 +29,7 @@ int largest_group(const Eigen::VectorXd& values) {
 }
 
 void make_canonical(Mat M, const Eigen::VectorXd& values, const petsc::ConstTallRef& W, petsc::TallRef vectors) {
-  const MPI_Comm comm = PetscObjectComm(reinterpret_cast<PetscObject>(M));
+  const MPI_Comm comm = petsc::comm_of(M);
   const Eigen::MatrixXd C = petsc::inner(comm, petsc::multiply(M, W), vectors);
   for (Eigen::Index i = 0, end = 0; i < values.size(); i = end) {
     end = group_end(values, i);
