@@ -12,7 +12,6 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
 from report import compare, diagram, lean, table  # noqa: E402
-from report.methods import METHODS  # noqa: E402
 
 LONGEST = 110  # letters of a cell
 
@@ -28,14 +27,7 @@ def short(text):
 
 
 def reach(folder):
-    rows = table.read(folder / "runs.csv")
-    names = [method.name for method in METHODS if any(row["method"] == method.name for row in rows)]
-    lines = []
-    for scene in compare.scenes(rows):
-        here = [row for row in rows if row["scene"] == scene]
-        lines.append([here[0]["title"],
-                      *(compare.time_to([row for row in here if row["method"] == name], 0.01) for name in names)])
-    return markdown(["time of stepping to 1 %", *(diagram.TITLES[name] for name in names)], lines)
+    return markdown(*compare.reach(table.read(folder / "runs.csv"), diagram.TITLES, 0.01))
 
 
 def scaled(row, column, scale):

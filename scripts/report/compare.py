@@ -33,7 +33,25 @@ def time_to(rows, error):
         return f"{row['seconds']:.3g} s"
     if not done(rows):
         return "failed" if rows else "–"
-    return f"{100 * min(row['error_integrated'] for row in done(rows)):.2g} % at best"
+    return f"{percent(min(row['error_integrated'] for row in done(rows)))} at best"
+
+
+def percent(share):
+    if math.isnan(share):
+        return "–"
+    return f"{100 * share:.0f} %" if share >= 0.095 else f"{100 * share:.2g} %"
+
+
+def reach(rows, titles, error):
+    """Heads and lines of a table: a row a scene, a column a method, the time to an error, and what may be trusted."""
+    names = [name for name in titles if any(row["method"] == name for row in rows)]
+    lines = []
+    for scene in scenes(rows):
+        here = [row for row in rows if row["scene"] == scene]
+        floor = "rounding" if here[0]["floor"] < 1e-9 else percent(here[0]["floor"])
+        lines.append((here[0]["title"], *(time_to([row for row in here if row["method"] == name], error)
+                                          for name in names), floor))
+    return (f"time of stepping to {percent(error)}", *(titles[name] for name in names), "the reference's floor"), lines
 
 
 def break_even(row, rows):

@@ -67,7 +67,8 @@ def other_of(scene):
 
 def key_of(run, scene, program):
     """The same run by the same build has the same key. What only words or chooses is no part of it."""
-    bare = dataclasses.replace(scene, title="", limits=Limits(), step_cost=0.0, other=other_of(scene))
+    bare = dataclasses.replace(scene, title="", limits=Limits(), step_sizes=(), step_cost=0.0,
+                               other=other_of(scene))
     method = BY_NAME[run.method]
     return hashlib.sha256(repr((run, bare, method.options, method.learns, program)).encode()).hexdigest()[:16]
 

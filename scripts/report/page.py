@@ -73,14 +73,7 @@ def reach_table(rows):
 
 
 def summary_table(rows):
-    """A row a scene, a column a method: the time to 1 %."""
-    names = [method.name for method in METHODS if any(row["method"] == method.name for row in rows)]
-    lines = []
-    for scene in compare.scenes(rows):
-        here = [row for row in rows if row["scene"] == scene]
-        lines.append((here[0]["title"],
-                      *(compare.time_to([row for row in here if row["method"] == name], 0.01) for name in names)))
-    heads = ("scene", *(diagram.TITLES[name] for name in names))
+    heads, lines = compare.reach(rows, diagram.TITLES, 0.01)
     return rows_table("Time of stepping to reach an error of 1 %", heads, lines)
 
 

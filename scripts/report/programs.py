@@ -29,9 +29,9 @@ class Done:
 
 
 def sentence(text):
-    """The line of stderr in which a program complains."""
-    lines = [line for line in text.splitlines() if line.startswith("ritz-")] or text.splitlines() or ["no reason given"]
-    return lines[0]
+    """The line of stderr in which a program, or else mpirun, complains."""
+    lines = [line for line in text.splitlines() if re.search("[A-Za-z]", line)]
+    return next((line for line in lines if line.startswith("ritz-")), lines[0] if lines else "no reason given")
 
 
 def run(program, words, ranks=1):

@@ -1,4 +1,5 @@
 """What a scene's runs are compared with: ritz-full with AVF on the same mesh at the finest step."""
+import math
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -14,14 +15,14 @@ class Reference:
     times: np.ndarray
     u: np.ndarray  # frames x free components
     size: np.ndarray  # ‖u‖_M
-    tone: float  # Hz of the probe after the release; NaN of statics
+    tone: float  # Hz of the probe after the release; NaN where nothing swings freely
     facts: dict  # columns of runs.csv
 
 
 def tone_of(scene, folder, every):
     """Of the probe at the frames' times, so that all runs are looked at through the same window."""
     times, places = (values[::every] for values in probe(folder))
-    if scene.analysis == "static":
+    if scene.analysis == "static" or math.isinf(scene.released):
         return float("nan")
     after = times > scene.released
     signal = places[after][:, np.argmax(np.std(places[after], axis=0))]

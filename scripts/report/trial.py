@@ -72,9 +72,9 @@ def parts(bench, reference, run, u):
 def finest_frames(bench, reference, run):
     path, _ = bench.model(run.method, run.knobs)
     step = bench.scene.steps[-1]
-    folder = bench.folder / "finest" / path.parent.name
+    integrator = "" if bench.scene.analysis == "static" else BY_NAME[run.method].integrators[0]
+    folder = bench.folder / "finest" / f"{path.parent.name}-{bench.toml(step, integrator).stem}"
     if not (folder / "motion.h5").exists():
-        integrator = "" if bench.scene.analysis == "static" else BY_NAME[run.method].integrators[0]
         bench.reduced(path, step, integrator, "double", folder, ["--every", bench.every(step)])
     return reference.body.frames(folder / "motion.h5")[1]
 

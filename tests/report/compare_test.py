@@ -37,6 +37,18 @@ class Compare(unittest.TestCase):
         self.assertEqual(compare.time_to(rows[1:], 0.01), "failed")
         self.assertEqual(compare.time_to([], 0.01), "–")
 
+    def test_shares_in_words(self):
+        words = {0.0131: "1.3 %", 0.0996: "10 %", 0.998: "100 %", 2.4e-4: "0.024 %", math.nan: "–"}
+        for share, text in words.items():
+            self.assertEqual(compare.percent(share), text)
+
+    def test_the_table_of_times_says_what_its_reference_is_worth(self):
+        rows = [row(method="full", floor=0.0046, error_integrated=0.004, seconds=2.0), row(method="pod", floor=0.0046)]
+        heads, lines = compare.reach(rows, {"pod": "POD", "linear": "linear", "full": "full"}, 0.005)
+        self.assertEqual(heads, ("time of stepping to 0.5 %", "POD", "full", "the reference's floor"))
+        self.assertEqual((lines[0][2], lines[0][3]), ("2 s", "0.46 %"))
+        self.assertEqual(compare.reach([row(floor=1e-12)], {}, 0.01)[1][0][-1], "rounding")
+
     def test_break_even(self):
         full = row(method="full", microseconds=5010.0, precompute_seconds=math.nan)
         other = row(method="full", microseconds=1.0, scene="another")

@@ -1,0 +1,41 @@
+"""What a run is compared with belongs to the scene as it is now."""
+import dataclasses
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+from types import SimpleNamespace
+from unittest import mock
+
+from support import row  # noqa: F401  (puts the package on the path)
+from report import scenes, trial
+from report.bench import Bench
+from report.methods import plan, FORMS
+
+MODEL = Path("models/m/model.h5")
+
+
+class Trials(unittest.TestCase):
+    def test_a_changed_scene_is_run_anew_at_the_reference_s_step(self):
+        scene = scenes.QUICK[0]
+        run = next(run for run in plan(scene, FORMS["quick"]) if run.method == "derivatives")
+        made = []
+
+        def move(bench, model, step, integrator, precision, folder, frames):
+            made.append((bench.scene.damping, step))
+            folder.mkdir(parents=True)
+            (folder / "motion.h5").touch()
+
+        frames = SimpleNamespace(body=SimpleNamespace(frames=lambda path: (None, path)))
+        with tempfile.TemporaryDirectory() as folder, mock.patch.object(Bench, "model", lambda *_: (MODEL, {})), \
+                mock.patch.object(Bench, "reduced", move):
+            benches = [Bench(dataclasses.replace(scene, damping=damping), Path("bin"), Path(folder) / scene.name)
+                       for damping in (0.5, 0.5, 2.0)]
+            places = [trial.finest_frames(bench, frames, run) for bench in benches]
+        self.assertEqual(made, [(0.5, scene.steps[-1]), (2.0, scene.steps[-1])])
+        self.assertEqual(places[0], places[1])
+        self.assertNotEqual(places[0], places[2])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
