@@ -10,6 +10,7 @@
 #include "ritz/app/warnings.hpp"
 #include "ritz/app/write_model.hpp"
 #include "ritz/base/counted.hpp"
+#include "ritz/base/shown.hpp"
 #include "ritz/scene/frames.hpp"
 
 namespace ritz::app {
@@ -62,8 +63,8 @@ std::string run_dynamics(stages::FullModel& model, const scene::Scene& scene, co
   watch(first);
   const auto report = stages::full_dynamics(model, options, first, steps, load, watch);
   return std::to_string(report.newton_iterations) + " Newton iterations, " + std::to_string(report.rejected) +
-         " steps rejected and halved\nenergy balance: at most " + stages::shown(report.largest_drift) +
-         " J of E - E0 - W + Q, the largest energy being " + stages::shown(largest) + " J" +
+         " steps rejected and halved\nenergy balance: at most " + shown(report.largest_drift, 3) +
+         " J of E - E0 - W + Q, the largest energy being " + shown(largest, 3) + " J" +
          inside_out(stages::inverted_cells(model, last.u));
 }
 

@@ -5,6 +5,7 @@
 #include "ritz/app/full_file.hpp"
 #include "ritz/app/plan.hpp"
 #include "ritz/base/error.hpp"
+#include "ritz/base/shown.hpp"
 #include "ritz/parallel/guard.hpp"
 
 namespace ritz::app {
@@ -72,7 +73,7 @@ std::vector<double> times_from(const scene::Scene& scene, double from) {
       if (const double t = static_cast<double>(n) / steps; t > from * (1 + 1e-9)) times.push_back(t);
   }
   if (times.size() == 1)
-    throw InputError("nothing is left to do: the state to start from, at " + stages::shown(from) +
+    throw InputError("nothing is left to do: the state to start from, at " + shown(from, 3) +
                      ", is the scene's end or later");
   return times;
 }

@@ -13,7 +13,7 @@
 namespace ritz::config {
 namespace {
 
-std::string shown(double x) {
+std::string shortest(double x) {
   std::array<char, 32> digits;
   return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), x).ptr};
 }
@@ -84,11 +84,11 @@ std::optional<double> Database::real(const std::string& name) {
 
 double Database::real(const std::string& name, double fallback, double least, double most) {
   const auto given = real(name);
-  if (!given) resolved_.emplace_back(name, shown(fallback));
+  if (!given) resolved_.emplace_back(name, shortest(fallback));
   const double value = given.value_or(fallback);
   if (!(value >= least && value <= most))
-    throw InputError("option -" + name + " " + shown(value) + " must lie between " + shown(least) + " and " +
-                     shown(most));
+    throw InputError("option -" + name + " " + shortest(value) + " must lie between " + shortest(least) + " and " +
+                     shortest(most));
   return value;
 }
 

@@ -3,16 +3,11 @@
 
 #include "ritz/base/error.hpp"
 #include "ritz/base/nearest.hpp"
+#include "ritz/base/shown.hpp"
 #include "ritz/config/config.hpp"
 
 namespace ritz::config {
 namespace {
-
-std::string rounded(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", x);
-  return text;
-}
 
 std::string underscored(std::string name) {
   std::replace(name.begin(), name.end(), ' ', '_');
@@ -54,7 +49,7 @@ std::vector<const MaterialOptions*> own_options(const Config& config, const std:
 
 void check(const fem::StVK& m, const std::string& region) {
   const auto refuse = [&](const std::string& what, double value, const std::string& range) {
-    throw InputError("the " + what + " of region '" + region + "' is " + rounded(value) + "; it must be " + range);
+    throw InputError("the " + what + " of region '" + region + "' is " + shown(value) + "; it must be " + range);
   };
   if (!(m.young > 0) || !std::isfinite(m.young)) refuse("Young's modulus", m.young, "positive");
   if (!(m.poisson > -1 && m.poisson < 0.5)) refuse("Poisson's ratio", m.poisson, "above -1 and below 0.5");

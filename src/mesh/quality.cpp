@@ -5,6 +5,7 @@
 
 #include "ritz/base/counted.hpp"
 #include "ritz/base/error.hpp"
+#include "ritz/base/shown.hpp"
 #include "ritz/fem/dispatch.hpp"
 #include "ritz/fem/geometry.hpp"
 #include "ritz/parallel/comm.hpp"
@@ -28,12 +29,6 @@ double dihedral_of(const Mesh& mesh, int cell) {
 Index first_id(const Mesh& mesh, Index number, Index id) {
   const Index first = parallel::min(mesh.comm, number);
   return parallel::max(mesh.comm, number == first ? id : std::numeric_limits<Index>::min());
-}
-
-std::string text_of(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", x);
-  return text;
 }
 
 }  // namespace
@@ -68,7 +63,7 @@ std::vector<std::string> warnings(const Mesh& mesh) {
   smallest = parallel::min(mesh.comm, smallest);
   if (slivers > 0)
     notes.push_back(counted(slivers, "cell has", "cells have") + " a dihedral angle under 1 degree (the smallest " +
-                    text_of(smallest) + "); the conditioning suffers");
+                    shown(smallest, 3) + "); the conditioning suffers");
   if (mesh.dropped_vertices > 0)
     notes.push_back(counted(mesh.dropped_vertices, "vertex that no cell uses was", "vertices that no cell uses were") +
                     " dropped");

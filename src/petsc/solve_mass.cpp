@@ -3,6 +3,7 @@
 #include <string>
 
 #include "ritz/base/error.hpp"
+#include "ritz/base/shown.hpp"
 #include "ritz/petsc/check.hpp"
 #include "ritz/petsc/handle.hpp"
 
@@ -29,7 +30,7 @@ Tall solve_mass(Mat A, const ConstTallRef& b) {
     check(KSPGetResidualNorm(ksp, &norm));
     check(VecNorm(right[j], NORM_2, &start));
     if (reason < 0 && !(norm <= 1e-12 * start))
-      throw NumericalError("the solve with the mass matrix stopped at a residual of " + std::to_string(norm));
+      throw NumericalError("the solve with the mass matrix stopped at a residual of " + shown(norm, 3));
     const PetscScalar* values = nullptr;
     check(VecGetArrayRead(solution[j], &values));
     x.col(static_cast<Eigen::Index>(j)) = Eigen::Map<const Eigen::VectorXd>(values, x.rows());

@@ -1,20 +1,13 @@
 // Newmark's method with β = 0, γ = ½ is the central difference with velocities at whole steps.
 #include <cmath>
-#include <cstdio>
-#include <string>
 
 #include "newmark_family.hpp"
 #include "ritz/base/error.hpp"
+#include "ritz/base/shown.hpp"
 #include "ritz/runtime/integrators.hpp"
 
 namespace ritz::runtime {
 namespace {
-
-std::string shown(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", x);
-  return text;
-}
 
 ModeStep rule(double stiffness, double damping, double dt) {
   const double omega = std::sqrt(stiffness);

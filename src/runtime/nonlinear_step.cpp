@@ -6,6 +6,7 @@
 #include "eigenvalues.hpp"
 #include "newton.hpp"
 #include "ritz/base/error.hpp"
+#include "ritz/base/shown.hpp"
 
 namespace ritz::runtime {
 namespace {
@@ -13,9 +14,9 @@ namespace {
 template <class Scalar>
 void refuse_unstable(Scalar dt, Scalar longest) {
   if (dt > longest * (1 + 16 * std::numeric_limits<Scalar>::epsilon()))
-    throw InputError("central-difference with a step of " + std::to_string(dt) +
-                     " s is unstable already for small motions: choose a step of at most " + std::to_string(longest) +
-                     " s or another integrator");
+    throw InputError("central-difference with a step of " + shown(dt) +
+                     " s is unstable already for small motions: choose a step of at most " +
+                     shown((1 - 1e-6) * longest) + " s or another integrator");
 }
 
 /// 2/ω_max of the model at rest, s.
@@ -45,7 +46,7 @@ NonlinearOutcome attempt(const NonlinearModel<Scalar>& model, NonlinearState<Sca
 template <class Scalar>
 NonlinearWorkspace<Scalar> make_workspace(const NonlinearModel<Scalar>& model, const Method<Scalar>& method, Scalar dt,
                                           const NewtonOptions<Scalar>& options) {
-  if (!(dt > 0)) throw InputError("a step of " + std::to_string(dt) + " s is not positive");
+  if (!(dt > 0)) throw InputError("a step of " + shown(dt) + " s is not positive");
   const Eigen::Index r = model.size();
   const Vector<Scalar> none = Vector<Scalar>::Zero(r);
   NonlinearWorkspace<Scalar> workspace{.method = method,

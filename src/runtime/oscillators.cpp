@@ -5,6 +5,7 @@
 
 #include "rigid_stiffness.hpp"
 #include "ritz/base/error.hpp"
+#include "ritz/base/shown.hpp"
 
 namespace ritz::runtime {
 
@@ -16,7 +17,7 @@ Oscillators make_oscillators(const model::Modes& modes, const Damping& damping) 
     if (modes.kinds[static_cast<std::size_t>(i)] == model::ModeKind::rigid) continue;
     const double lambda = modes.eigenvalues[i];
     if (!(lambda >= 0))
-      throw InputError("mode " + std::to_string(i + 1) + " of the model has the eigenvalue " + std::to_string(lambda) +
+      throw InputError("mode " + std::to_string(i + 1) + " of the model has the eigenvalue " + shown(lambda) +
                        " rad²/s², which is not a vibration: reduce the model again");
     const auto& zeta = damping.ratio;
     const double ratio = zeta.empty() ? 0 : zeta[std::min(flexible++, zeta.size() - 1)];

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ritz/base/error.hpp"
+#include "ritz/base/shown.hpp"
 #include "ritz/petsc/handle.hpp"
 #include "ritz/stages/canonical.hpp"
 #include "ritz/stages/fixed_vectors.hpp"
@@ -65,7 +66,7 @@ void finish(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full& full, co
   const Eigen::MatrixXd gram = petsc::inner(mesh.comm, pairs.vectors, petsc::multiply(full.mass, pairs.vectors));
   const double error = (gram - Eigen::MatrixXd::Identity(gram.rows(), gram.cols())).cwiseAbs().maxCoeff();
   if (!(error <= orthonormality_gate))
-    throw NumericalError("the basis is not orthonormal: max |UᵀMU - I| is " + std::to_string(error));
+    throw NumericalError("the basis is not orthonormal: max |UᵀMU - I| is " + shown(error, 3));
   result.figures.emplace_back("basis_orthonormality", error);
   result.U = std::move(pairs.vectors);
   result.reduction.stiffness = pairs.values;

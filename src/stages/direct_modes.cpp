@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "ritz/base/error.hpp"
+#include "ritz/base/shown.hpp"
 #include "ritz/stages/block_lanczos.hpp"
 #include "ritz/stages/eigen_strategy.hpp"
 #include "ritz/stages/elastic_scale.hpp"
@@ -54,7 +55,7 @@ Found find_direct(const EigenProblem& problem, int wanted, const petsc::Tall& kn
   const auto found = block_lanczos(problem.full.mass, op, joined(problem.rigid, known), start, lanczos,
                                    [&](int done, int all) { progress("modes", double(done) / all); });
   if (!found.converged)
-    throw NumericalError("the eigensolver (block Lanczos, tolerance " + std::to_string(options.tolerance) +
+    throw NumericalError("the eigensolver (block Lanczos, tolerance " + shown(options.tolerance) +
                          ") did not find all " + std::to_string(wanted) +
                          " modes; raise -modes_tolerance or lower -modes");
   progress("polishing", 0);

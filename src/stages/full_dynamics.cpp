@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "ritz/base/error.hpp"
+#include "ritz/base/shown.hpp"
 #include "ritz/petsc/check.hpp"
 #include "ritz/petsc/solve_mass.hpp"
 #include "ritz/stages/internal_force.hpp"
@@ -142,9 +143,9 @@ class Motion {
   }
 
   [[noreturn]] void give_up(const DynamicState& state, double dt) const {
-    throw NumericalError("the step from t = " + shown(state.t) + " s did not converge, nor when halved down to " +
-                         shown(dt) + " s: Newton's relative residual " + shown(outcome_.residual / scale_) + ", " +
-                         outcome_.reason + "; take shorter steps");
+    throw NumericalError("the step from t = " + shown(state.t, 3) + " s did not converge, nor when halved down to " +
+                         shown(dt, 3) + " s: Newton's relative residual " + shown(outcome_.residual / scale_, 3) +
+                         ", " + outcome_.reason + "; take shorter steps");
   }
 
   FullModel& model_;

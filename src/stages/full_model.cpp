@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "ritz/fem/dispatch.hpp"
@@ -89,12 +88,6 @@ double norm(const FullModel& model, const petsc::Tall& x) { return std::sqrt(dot
 
 double dot(const FullModel& model, const petsc::Tall& x, const petsc::Tall& y) {
   return petsc::inner(model.mesh.comm, x, y)(0, 0);
-}
-
-std::string shown(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", x);
-  return text;
 }
 
 }  // namespace ritz::stages

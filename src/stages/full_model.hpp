@@ -39,7 +39,4 @@ double norm(const FullModel& model, const petsc::Tall& x);
 /// x·y. *Collective*.
 double dot(const FullModel& model, const petsc::Tall& x, const petsc::Tall& y);
 
-/// "3.2e-05": for messages.
-std::string shown(double x);
-
 }  // namespace ritz::stages

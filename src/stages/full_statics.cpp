@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ritz/base/error.hpp"
+#include "ritz/base/shown.hpp"
 #include "ritz/stages/rigid_modes.hpp"
 
 namespace ritz::stages {
@@ -65,11 +66,11 @@ class Loading {
   }
 
   [[noreturn]] void give_up(const StaticState& state) const {
-    std::string ending = "Newton's relative residual " + shown(outcome_.residual / scale_) + ", ";
+    std::string ending = "Newton's relative residual " + shown(outcome_.residual / scale_, 3) + ", ";
     if (outcome_.result == petsc::Convergence::failed) ending += outcome_.reason;
     else if (unstable_ > 0) ending += std::to_string(unstable_) + " negative eigenvalues of the tangent";
     else ending += "where the body has jumped and cells are inside out";
-    throw NumericalError("statics: no stable equilibrium was found beyond load fraction " + shown(state.fraction) +
+    throw NumericalError("statics: no stable equilibrium was found beyond load fraction " + shown(state.fraction, 3) +
                          ", a limit point of the load or a bifurcation (" + ending + ")");
   }
 

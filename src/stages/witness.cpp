@@ -6,6 +6,7 @@
 
 #include "ritz/base/error.hpp"
 #include "ritz/base/random.hpp"
+#include "ritz/base/shown.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/runtime/forces.hpp"
 #include "ritz/stages/internal_force.hpp"
@@ -21,12 +22,6 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr int decades = 9;
 constexpr int halvings = 6, sizes_tried = 14;
 constexpr double clear_of_rounding = 1e3;
-
-std::string shown(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2e", x);
-  return text;
-}
 
 /// The diagonal of the bounding box, m.
 double size_of(const mesh::Mesh& mesh) {
@@ -59,8 +54,8 @@ Eigen::MatrixXd samples(const mesh::Mesh& mesh, const petsc::ConstTallRef& u) {
 /// A figure, and what rounding alone may make of it.
 void require(const std::string& what, double error, double allowed) {
   if (!(error <= std::max(gate, allowed)))
-    throw NumericalError("the polynomial does not agree with the full model: " + what + " differs by " + shown(error) +
-                         "; the model was not written");
+    throw NumericalError("the polynomial does not agree with the full model: " + what + " differs by " +
+                         shown(error, 3) + "; the model was not written");
 }
 
 }  // namespace
@@ -133,7 +128,7 @@ Figures taylor_witness(const DerivativesSource& source, const std::vector<fem::S
     throw NumericalError(
         "the modal derivatives fail their own test: the remainder of the Taylor series falls with the "
         "power " +
-        std::to_string(slope) + " of the amplitude in place of 3; the model was not written");
+        shown(slope, 3) + " of the amplitude in place of 3; the model was not written");
   return {{"witness_taylor_slope", slope}};
 }
 
