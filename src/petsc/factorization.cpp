@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ritz/base/error.hpp"
+#include "ritz/base/shown.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/petsc/check.hpp"
 
@@ -29,6 +30,14 @@ bool is_mumps(Mat F) {
 }
 
 }  // namespace
+
+MumpsFailure mumps_failure(Mat F) {
+  PetscInt code = 0;
+  check(MatMumpsGetInfog(F, 1, &code));
+  if (code == -13 || code == -19) return MumpsFailure::memory;
+  if (code == -8 || code == -9 || code == -17 || code == -20) return MumpsFailure::workspace;
+  return MumpsFailure::other;
+}
 
 Factorization::Factorization(MPI_Comm comm, const std::string& prefix) : comm_(comm) {
   PC pc = nullptr;
@@ -81,22 +90,19 @@ void Factorization::factor(Mat K, Mat M, double sigma) {
   if (!shifted_) check(MatDuplicate(K, MAT_COPY_VALUES, shifted_.out()));
   else check(MatCopy(K, shifted_, SAME_NONZERO_PATTERN));
   if (sigma != 0) check(MatAXPY(shifted_, -sigma, M, SUBSET_NONZERO_PATTERN));
-  const std::string what = sigma == 0 ? std::string("K") : "K - sigma M, sigma " + std::to_string(sigma);
+  const std::string what = sigma == 0 ? std::string("K") : "K - sigma M, sigma " + shown(sigma);
   for (int attempt = 0;; ++attempt) {
     Mat F = prepared();
     MatFactorError error = MAT_FACTOR_NOERROR;
     check(KSPSetUp(ksp_));
     check(MatFactorGetError(F, &error));
     if (error == MAT_FACTOR_NOERROR) return;
-    PetscInt code = 0;
-    if (is_mumps(F)) check(MatMumpsGetInfog(F, 1, &code));
-    if (code == -13 || code == -19)
+    const MumpsFailure failure = is_mumps(F) ? mumps_failure(F) : MumpsFailure::other;
+    if (failure == MumpsFailure::memory)
       throw NumericalError("memory ran out in the factorization of " + what +
                            "; use -solver iterative, or more machines");
-    const bool wants_workspace = code == -8 || code == -9 || code == -17 || code == -20;
-    if (!wants_workspace || attempt == 4)
-      throw NumericalError("the factorization of " + what + " failed (MUMPS error " + std::to_string(code) +
-                           "); is the body held as it should be?");
+    if (failure == MumpsFailure::other || attempt == 4)
+      throw NumericalError("the factorization of " + what + " failed; is the body held as it should be?");
     margin_ = std::max<PetscInt>(40, 2 * margin_);
     PC pc = nullptr;
     check(KSPGetPC(ksp_, &pc));

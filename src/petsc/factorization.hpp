@@ -16,6 +16,11 @@ struct FactorEstimate {
   double memory_total = 0;  ///< bytes
 };
 
+enum class MumpsFailure { memory, workspace, other };
+
+/// Why the factorization into F failed: no memory; too little workspace, which more of it (ICNTL(14)) helps; else.
+MumpsFailure mumps_failure(Mat F);
+
 /// Of A = K − σM: one symbolic analysis, any number of shifts σ.
 class Factorization {
  public:
@@ -34,8 +39,6 @@ class Factorization {
 
   /// How many eigenvalues of the factored matrix are negative (Sylvester's law of inertia). *Collective*.
   std::int64_t negative_pivots() const;
-
-  KSP ksp() const { return ksp_; }
 
  private:
   MPI_Comm comm_;

@@ -3,17 +3,19 @@
 #include <cmath>
 #include <exception>
 
+#include "ritz/base/error.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/petsc/check.hpp"
 #include "ritz/petsc/csr.hpp"
+#include "ritz/petsc/factorization.hpp"
 #include "ritz/petsc/handle.hpp"
 #include "ritz/petsc/multigrid.hpp"
 
 namespace ritz::petsc {
 namespace {
 
-constexpr PetscInt workspace_margin = 14, spare_percent = 50;  // MUMPS ICNTL(14)
-constexpr PetscInt parallel_root = 13;                         // ICNTL(13): a ScaLAPACK root hides its pivots' signs
+constexpr PetscInt workspace_margin = 14, spare_percent = 50, most_spare_percent = 800;  // MUMPS ICNTL(14)
+constexpr PetscInt parallel_root = 13;  // ICNTL(13): a ScaLAPACK root hides its pivots' signs
 constexpr int most_iterations = 30;
 constexpr double linear_tolerance = 1e-8;  ///< of the iterative solver, relative to Newton's residual
 
@@ -136,6 +138,28 @@ NonlinearSolver make(MPI_Comm comm) {
   return snes;
 }
 
+void prepare_factor(KSP ksp, Mat A, PetscInt spare) {
+  check(KSPSetOperators(ksp, A, A));
+  if (Mat F = mumps_factor(ksp)) {
+    check(MatMumpsSetIcntl(F, workspace_margin, spare));
+    check(MatMumpsSetIcntl(F, parallel_root, 1));
+  }
+}
+
+/// Whether the factorization failed for want of workspace, and is to be tried again with more. Throws where the memory
+/// itself ran out: unlike a load or a step that is too large, it is not helped by halving these.
+bool wants_workspace(KSP ksp) {
+  Mat F = mumps_factor(ksp);
+  if (!F) return false;
+  MatFactorError error = MAT_FACTOR_NOERROR;
+  check(MatFactorGetError(F, &error));
+  if (error == MAT_FACTOR_NOERROR) return false;
+  const MumpsFailure failure = mumps_failure(F);
+  if (failure == MumpsFailure::memory)
+    throw NumericalError("memory ran out in the factorization of the tangent; use -solver iterative, or more machines");
+  return failure == MumpsFailure::workspace;
+}
+
 bool indefinite(KSP ksp) {
   KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
   check(KSPGetConvergedReason(ksp, &reason));
@@ -168,11 +192,7 @@ Newton::Newton(Mat jacobian, LinearSolver solver, const ConstTallRef& near_null)
   if (solver_ == LinearSolver::direct) set_direct(ksp, jacobian_);
   else set_iterative(ksp, jacobian_, near_null);
   check(SNESSetFromOptions(snes_));
-  check(KSPSetOperators(ksp, jacobian_, jacobian_));
-  if (Mat F = mumps_factor(ksp)) {
-    check(MatMumpsSetIcntl(F, workspace_margin, spare_percent));
-    check(MatMumpsSetIcntl(F, parallel_root, 1));
-  }
+  prepare_factor(ksp, jacobian_, spare_percent);
 }
 
 NewtonOutcome Newton::solve(const Equations& equations, double tolerance, double scale, Tall& x) {
@@ -183,6 +203,13 @@ NewtonOutcome Newton::solve(const Equations& equations, double tolerance, double
   check(SNESSetConvergenceTest(snes_, converged, &call, nullptr));
   const Tall start = x;
   SNESConvergedReason reason = run(snes_, call, x);
+  for (PetscInt spare = 2 * spare_percent; reason < 0 && wants_workspace(linear(snes_)); spare *= 2) {
+    if (spare > most_spare_percent) throw NumericalError("MUMPS wants ever more workspace to factor the tangent");
+    check(PCReset(preconditioner(linear(snes_))));
+    prepare_factor(linear(snes_), jacobian_, spare);
+    x = start;
+    reason = run(snes_, call, x);
+  }
   if (solver_ == LinearSolver::iterative && reason < 0 && indefinite(linear(snes_))) {
     x = start;
     check(KSPSetType(linear(snes_), KSPFGMRES));
