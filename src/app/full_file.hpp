@@ -1,12 +1,14 @@
 // full.h5: the motion of the unreduced body, laid out as ritz-run's motion.h5, and full.xdmf beside it for ParaView.
 //
+// clang-format off
 //   /points, /vertex_ids, /cells, /times, /frame_times   as in motion.h5
-//   /snapshots       f x 3n      m      a frame a row: full vectors in the mesh file's order of vertices, x y z
-//   together /displacement    f x n x 3   m      a view of /snapshots /frames/I        n x 3       m      a view of row
-//   I of it /state/displacement, velocity, acceleration   n x 3   the last state, from which -restart goes on; its
-//   attributes
+//   /snapshots       f x 3n      m   a frame a row: full vectors in the mesh file's order of vertices, x y z together
+//   /displacement    f x n x 3   m   a view of /snapshots
+//   /frames/I        n x 3       m   a view of row I of it
+//   /state/displacement, velocity, acceleration   n x 3   the last state, from which -restart goes on; its attributes
 //                    t, kinetic, elastic, work, dissipated, start, kind (at_rest: of statics; moving) and
 //                    problem_checksum say when and of what
+// clang-format on
 // One rank writes, by slices in the mesh file's order. The file stands as full.h5.part until it is whole.
 #pragma once
 #include <map>

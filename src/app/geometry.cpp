@@ -125,6 +125,16 @@ parallel::RowMatrix FileOrder::to_file(MPI_Comm comm, const parallel::RowMatrix&
   return parallel::to_slices(comm, numbers, kept, slices.vertices.total);
 }
 
+std::vector<int64_t> FileOrder::to_file(MPI_Comm comm, std::span<const int64_t> owned) const {
+  std::vector<int64_t> numbers, kept;
+  for (std::size_t v = 0; v < row_of_owned.size(); ++v) {
+    if (row_of_owned[v] < 0) continue;
+    numbers.push_back(row_of_owned[v]);
+    kept.push_back(owned[v]);
+  }
+  return parallel::sorted_by_key(comm, numbers, kept, 1, slices.vertices.total);
+}
+
 FileOrder file_order(const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials, config::StoredRows rows) {
   FileOrder order;
   const auto keep = stored(mesh, rows);
@@ -137,12 +147,8 @@ FileOrder file_order(const mesh::Mesh& mesh, const std::vector<fem::StVK>& mater
   auto& geometry = order.geometry;
   geometry.rows = rows == config::StoredRows::all ? model::Rows::all : model::Rows::surface;
   geometry.full_vertices = mesh.vertices_total;
-  parallel::RowMatrix owned(mesh.owned, 4);
-  for (int v = 0; v < mesh.owned; ++v)
-    owned.row(v) << mesh.points.col(v).transpose(), static_cast<double>(mesh.ids[static_cast<std::size_t>(v)]);
-  const auto sliced = order.to_file(mesh.comm, owned);
-  geometry.points = sliced.leftCols<3>();
-  for (Eigen::Index i = 0; i < sliced.rows(); ++i) geometry.vertex_ids.push_back(static_cast<int64_t>(sliced(i, 3)));
+  geometry.points = order.to_file(mesh.comm, mesh.points.leftCols(mesh.owned).transpose());
+  geometry.vertex_ids = order.to_file(mesh.comm, std::span<const int64_t>(mesh.ids).first(keep.size()));
   add_cells(mesh, drawn_cells(mesh, positions, rows), order);
   geometry.sets = vertex_sets(mesh, positions);
   for (std::size_t r = 0; r < materials.size(); ++r) geometry.materials.push_back({mesh.regions[r].name, materials[r]});

@@ -1,5 +1,6 @@
 // The mesh in file order: what the model file stores of it.
 #pragma once
+#include <span>
 #include <vector>
 
 #include "ritz/config/config.hpp"
@@ -18,6 +19,7 @@ struct FileOrder {
 
   /// Values of owned vertices (`width` a vertex) as this rank's slice of stored rows. *Collective*.
   parallel::RowMatrix to_file(MPI_Comm comm, const parallel::RowMatrix& owned) const;
+  std::vector<std::int64_t> to_file(MPI_Comm comm, std::span<const std::int64_t> owned) const;
 };
 
 /// All vertices and solid cells, or the surface's vertices and faces. *Collective*.

@@ -3,6 +3,8 @@
 #include <hdf5.h>
 #include <unistd.h>
 
+#include <algorithm>
+
 #include "ritz/app/checksums.hpp"
 #include "ritz/app/frequencies.hpp"
 #include "ritz/app/pending_file.hpp"
@@ -64,21 +66,15 @@ model::Report report(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Resul
   return report;
 }
 
-/// Columns of U over owned vertices as rows of 3r: the three components of column 0, of column 1, ...
-parallel::RowMatrix by_vertex(const petsc::Tall& u) {
-  parallel::RowMatrix rows(u.rows() / 3, 3 * u.cols());
-  for (Eigen::Index v = 0; v < rows.rows(); ++v)
-    for (Eigen::Index j = 0; j < u.cols(); ++j) rows.row(v).segment<3>(3 * j) = u.col(j).segment<3>(3 * v).transpose();
-  return rows;
-}
-
+/// Column by column: all at once would be several copies of U, and more numbers than one message may have.
 void write_columns(format::ModelWriter& out, MPI_Comm comm, const FileOrder& order, const petsc::Tall& u) {
-  const parallel::RowMatrix rows = order.to_file(comm, by_vertex(u));
   const auto source = [&](format::Index column, std::span<double> values) {
-    for (Eigen::Index v = 0; v < rows.rows(); ++v)
-      for (Eigen::Index c = 0; c < 3; ++c) values[static_cast<std::size_t>(3 * v + c)] = rows(v, 3 * column + c);
+    const Eigen::Map<const parallel::RowMatrix> owned(u.col(column).data(), u.rows() / 3, 3);
+    const parallel::RowMatrix rows = order.to_file(comm, owned);
+    std::copy(rows.data(), rows.data() + rows.size(), values.begin());
   };
-  format::write_basis(out, u.cols(), rows.rows(), order.slices.vertices, source);
+  format::write_basis(out, u.cols(), parallel::even_slice(comm, order.slices.vertices.total).count,
+                      order.slices.vertices, source);
 }
 
 }  // namespace

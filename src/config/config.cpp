@@ -172,7 +172,7 @@ FullOptions read_full(Database& options, Program program) {
   full.restart = options.text("restart");
   full.frames = read_count(options, "frames");
   full.every = read_count(options, "every");
-  if (full.frames && full.every)
+  if (program == Program::full && full.frames && full.every)
     throw InputError("options -frames and -every say the same thing in two ways: leave out one or the other");
   return full;
 }
@@ -195,7 +195,8 @@ Config read_config(MPI_Comm comm, Program program) {
     config.modes.inverse = stages::InverseUse::kept;
   const auto solvers = solver_options_given();
   refuse_foreign_options(solvers);
-  config.modes.slepc = std::any_of(solvers.begin(), solvers.end(), [](const auto& o) { return is_slepc(o.first); });
+  config.modes.slepc = program == Program::reduce &&
+                       std::any_of(solvers.begin(), solvers.end(), [](const auto& o) { return is_slepc(o.first); });
   config.solver = static_cast<Solver>(options.choice("solver", {"auto", "direct", "iterative"}, 0));
   if (config.modes.slepc && config.solver == Solver::iterative)
     throw InputError(

@@ -6,6 +6,7 @@
 #include "ritz/base/nearest.hpp"
 #include "ritz/base/random.hpp"
 #include "ritz/parallel/comm.hpp"
+#include "ritz/petsc/check.hpp"
 
 namespace ritz::mesh {
 namespace {
@@ -105,6 +106,7 @@ Dofs number(const Mesh& mesh, const std::vector<Fixed>& supports, FileSupports f
   dofs.comm = mesh.comm;
   number_free(mesh, mask, dofs);
   if (dofs.total == 0) refuse_all_fixed(supports);
+  petsc::refuse_beyond_index("the mesh has " + std::to_string(dofs.total) + " degrees of freedom", dofs.total);
   number_ghosts(mesh, dofs);
 
   std::int32_t partly = 0;

@@ -1,6 +1,6 @@
 #include "ritz/petsc/check.hpp"
 
-#include <string>
+#include <limits>
 
 #include "ritz/base/error.hpp"
 
@@ -35,6 +35,13 @@ void check(PetscErrorCode code) {
   last_message().clear();
   if (code == PETSC_ERR_MEM) message = "memory ran out: " + message;
   throw NumericalError("PETSc: " + message);
+}
+
+void refuse_beyond_index(const std::string& what, std::int64_t count) {
+  constexpr std::int64_t most = std::numeric_limits<PetscInt>::max();
+  if (count > most)
+    throw InputError(what + ", more than the " + std::to_string(most) +
+                     " that this PETSc's integers can count; use more ranks, or a PETSc with 64-bit indices");
 }
 
 }  // namespace ritz::petsc

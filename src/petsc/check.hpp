@@ -2,6 +2,9 @@
 #pragma once
 #include <petscsys.h>
 
+#include <cstdint>
+#include <string>
+
 namespace ritz::petsc {
 
 /// Throws NumericalError with PETSc's own message when `code` is an error.
@@ -12,5 +15,8 @@ void keep_messages();
 
 /// Runs a call whose failure is expected and only of interest as yes or no.
 bool succeeds(PetscErrorCode code);
+
+/// Throws InputError, "`what`, more than ...", where PETSc's integers cannot count so many. The same on all ranks.
+void refuse_beyond_index(const std::string& what, std::int64_t count);
 
 }  // namespace ritz::petsc

@@ -1,4 +1,4 @@
-// The two ways to find the lowest modes, behind one signature.
+// The ways to find the lowest modes: our block Lanczos, SLEPc, and multigrid without a factorization.
 #pragma once
 #include "ritz/stages/linear_modes.hpp"
 #include "ritz/stages/rayleigh_ritz.hpp"

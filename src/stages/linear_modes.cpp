@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "ritz/base/error.hpp"
+#include "ritz/base/shown.hpp"
 #include "ritz/petsc/check.hpp"
 #include "ritz/stages/canonical.hpp"
 #include "ritz/stages/eigen_strategy.hpp"
@@ -22,12 +23,6 @@ using Eigen::Index;
 constexpr int searches = 3;            ///< how often modes that the count says are missing are searched for
 constexpr double rigid_energy = 1e-6;  ///< a rigid mode's Rayleigh quotient, relative to the first flexible λ
 constexpr std::uint64_t sign_stream = 1;
-
-std::string shown(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", x);
-  return text;
-}
 
 bool gap_after(const Eigen::VectorXd& values, Index i) {
   return values[i + 1] - values[i] > cluster_gap * std::abs(values[i + 1]);
@@ -87,23 +82,33 @@ class Search {
   model::Certificate certificate;
 
   void run(const petsc::Tall& known) {
-    const Index count = std::min<Index>(options_.count, most_);
-    Index wanted = std::min<Index>(count + spare_pairs, most_);
+    const Index wanted = std::min<Index>(options_.count + spare_pairs, most_);
     found = find(static_cast<int>(wanted), known);
+    keep_clusters_whole(wanted);
+    if (options_.strategy == Strategy::iterative) return;
+    certify();
+    if (options_.inverse == InverseUse::kept) keep_inverse();
+  }
+
+ private:
+  /// Finds more than the `wanted` that are there as long as the cluster at their end is not complete.
+  void keep_clusters_whole(Index wanted) {
+    const Index count = std::min<Index>(options_.count, most_);
     while ((kept = kept_count(found.pairs.values, count, wanted == most_)) == 0 && count > 0) {
       wanted = std::min<Index>(2 * wanted, most_);
       found = find(static_cast<int>(wanted), found.pairs.vectors);
     }
-    if (options_.strategy == Strategy::direct) certify();
   }
 
- private:
+  void keep_inverse() {
+    if (options_.slepc) solver_->factor(problem_.full.stiffness, problem_.full.mass, safe_shift(problem_));
+    found.inverse = [solver = solver_](const petsc::ConstTallRef& b, petsc::TallRef x) { solver->solve(b, x); };
+  }
+
   Found find(int wanted, const petsc::Tall& known) {
     if (options_.strategy == Strategy::iterative) return find_iteratively(problem_, wanted, known, progress_);
     if (options_.slepc) return find_by_krylov_schur(problem_, wanted);
-    auto pairs = find_direct(problem_, wanted, known, options_, *solver_, progress_);
-    pairs.inverse = [solver = solver_](const petsc::ConstTallRef& b, petsc::TallRef x) { solver->solve(b, x); };
-    return pairs;
+    return find_direct(problem_, wanted, known, options_, *solver_, progress_);
   }
 
   /// Counts below a shift; when the count says that a mode is missing, goes on searching beside the known ones.
@@ -123,10 +128,10 @@ class Search {
       if (missing < 0) break;
       const auto wanted = std::min<Index>(found.pairs.values.size() + missing, most_);
       found = find(static_cast<int>(wanted), found.pairs.vectors);
-      kept = kept_count(found.pairs.values, std::min<Index>(options_.count, most_), wanted == most_);
+      keep_clusters_whole(wanted);
     }
     throw NumericalError("the modes could not be certified: " + std::to_string(certificate.counted) +
-                         " eigenvalues lie below the shift " + shown(certificate.shift) + ", " +
+                         " eigenvalues lie below the shift " + shown(certificate.shift, 3) + ", " +
                          std::to_string(certificate.found) + " were found");
   }
 
@@ -183,7 +188,8 @@ ModesResult summarise(const EigenProblem& problem, const ModesOptions& options, 
     modes.floor_applies[static_cast<std::size_t>(rigid + i)] = r.relative[i] > residual_gate;
     if (!(r.relative[i] <= r.gate[i]))
       throw NumericalError("mode " + std::to_string(rigid + i + 1) + " has a relative residual of " +
-                           shown(r.relative[i]) + ", above its gate " + shown(r.gate[i]) + "; " + remedy(options));
+                           shown(r.relative[i], 3) + ", above its gate " + shown(r.gate[i], 3) + "; " +
+                           remedy(options));
   }
   modes.kinds.assign(static_cast<std::size_t>(rigid), model::ModeKind::rigid);
   modes.kinds.resize(static_cast<std::size_t>(all), model::ModeKind::flexible);
@@ -197,8 +203,8 @@ void check_rigid_energies(const model::Modes& modes, Index rigid) {
   if (rigid == 0 || rigid == modes.eigenvalues.size()) return;
   const double worst = modes.energies.head(rigid).cwiseAbs().maxCoeff();
   if (worst > rigid_energy * modes.eigenvalues[rigid])
-    throw NumericalError("a rigid mode stores energy (Rayleigh quotient " + shown(worst) +
-                         " against the first flexible " + shown(modes.eigenvalues[rigid]) + ")");
+    throw NumericalError("a rigid mode stores energy (Rayleigh quotient " + shown(worst, 3) +
+                         " against the first flexible " + shown(modes.eigenvalues[rigid], 3) + ")");
 }
 
 }  // namespace

@@ -13,7 +13,8 @@ namespace ritz::stages {
 /// small matrix, whose null space (by SVD) it is. The columns are not yet orthonormal. *Collective*.
 petsc::Tall rigid_motions(const mesh::Mesh& mesh, const mesh::Dofs& dofs);
 
-/// The same six motions a piece whatever the supports: the near-null space that multigrid wants. *Collective*.
+/// The six motions of the body as a whole, whatever its pieces and supports: the near-null space that multigrid wants.
+/// *Collective*.
 petsc::Tall near_null_space(const mesh::Mesh& mesh, const mesh::Dofs& dofs);
 
 }  // namespace ritz::stages

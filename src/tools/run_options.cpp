@@ -49,7 +49,7 @@ void declare(CLI::App& app, RunOptions& options) {
       "--linear", [&] { options.forces = Forces::linear; },
       "Small displacements: leave a model's polynomial unread and\nrun its linear part");
   app.add_flag_callback(
-      "--quiet", [&] { options.voice = Voice::quiet; }, "Print nothing but errors");
+      "--quiet", [&] { options.voice = Voice::quiet; }, "Print nothing but warnings and errors");
 }
 
 void refuse_contradictions(const RunOptions& options) {

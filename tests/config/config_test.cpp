@@ -141,6 +141,7 @@ TEST(Config, HandsTheModesToSlepcWhenItsOptionsAreNamed) {
   EXPECT_TRUE(with_box({"-modes_st_type", "sinvert"}).modes.slepc);
   EXPECT_EQ(with_box({"-modes_st_type", "sinvert"}).solver, Solver::direct);
   EXPECT_FALSE(with_box({"-modes_tolerance", "1e-9"}).modes.slepc);
+  EXPECT_NO_THROW(with_box({"-modes", "4", "-frames", "3", "-every", "2"})) << "these say nothing to ritz-reduce";
 }
 
 TEST(Config, KeepsWhatEachOptionCameTo) {

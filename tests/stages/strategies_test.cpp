@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 
 #include "ritz/base/error.hpp"
+#include "ritz/stages/inverse.hpp"
+#include "ritz/stages/rayleigh_ritz.hpp"
 #include "support/dense_algebra.hpp"
 #include "support/problem.hpp"
 
@@ -46,6 +48,19 @@ TEST_P(Strategies, KrylovSchurAgrees) {
   slepc.count = 12;
   slepc.slepc = true;
   expect_same(p, modes(p, 12), modes(p, slepc), 1e-10);
+}
+
+TEST_P(Strategies, KrylovSchurLeavesAnInverseToTheDerivatives) {
+  ModesOptions slepc;
+  slepc.count = 6;
+  slepc.slepc = true;
+  slepc.inverse = stages::InverseUse::kept;
+  const auto found = modes(p, slepc);
+  const petsc::Tall psi = found.vectors.rightCols(1), rigid = found.vectors.leftCols(rigid_count(found.modes));
+  const petsc::Tall b = petsc::multiply(p.full.mass, psi);
+  const auto x = stages::solve(p.full, found.inverse, rigid, stages::one_norm(p.full.stiffness), b).x;
+  const petsc::Tall expected = psi / found.modes.eigenvalues.tail(1)[0];  // Kψ = λMψ
+  EXPECT_LE(petsc::column_norms(p.mesh.comm, x - expected)[0], 1e-7 * petsc::column_norms(p.mesh.comm, expected)[0]);
 }
 
 TEST_P(Strategies, MultigridAgrees) {

@@ -22,7 +22,7 @@ class ModelReader {
 
   /// The names of the bodies in the file.
   std::vector<std::string> bodies() const;
-  /// Whether body `body` has part `part`: schema::geometry, basis, modes, inertia or loads.
+  /// Whether body `body` has part `part`: schema::geometry, basis, modes, reduction, polynomial, inertia or loads.
   bool has(std::string_view part, std::string_view body = schema::default_body) const;
 
   hid_t file() const { return file_.get(); }

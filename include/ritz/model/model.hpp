@@ -69,7 +69,7 @@ struct Modes {
   Eigen::VectorXd eigenvalues;  ///< λ = ω², rad²/s²; 0 for a rigid mode
   Eigen::VectorXd energies;   ///< the Rayleigh quotient ψᵀKψ/ψᵀMψ as computed (tells how rigid a rigid mode is)
   Eigen::VectorXd residuals;  ///< ‖Kψ − λMψ‖ / (λ‖Mψ‖); for a rigid mode ‖Kψ‖ / (‖K‖‖ψ‖)
-  std::vector<std::uint8_t> floor_applies;  ///< 1 where 10 ε‖K‖‖ψ‖ was the residual's gate
+  std::vector<std::uint8_t> floor_applies;  ///< 1 where the residual passed by 10 ε‖K‖‖ψ‖ alone
   std::vector<ModeKind> kinds;
   double orthonormality = 0;  ///< max |ΨᵀMΨ − I|
   Certificate certificate;
@@ -133,7 +133,7 @@ struct Body {
 /// What a run depended on.
 struct Provenance {
   std::string program;                                        ///< "ritz-reduce 0.1.0"
-  std::vector<std::pair<std::string, std::string>> versions;  ///< PETSc, SLEPc, MUMPS, HDF5, BLAS ...
+  std::vector<std::pair<std::string, std::string>> versions;  ///< PETSc, SLEPc, MPI, BLAS
   std::vector<std::pair<std::string, std::string>> options;   ///< every resolved option
   std::string mesh_checksum;                                  ///< hash of vertices, cells and regions
   std::string problem_checksum;                               ///< mesh, materials and supports together
