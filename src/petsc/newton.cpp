@@ -204,7 +204,9 @@ NewtonOutcome Newton::solve(const Equations& equations, double tolerance, double
   const Tall start = x;
   SNESConvergedReason reason = run(snes_, call, x);
   for (PetscInt spare = 2 * spare_percent; reason < 0 && wants_workspace(linear(snes_)); spare *= 2) {
-    if (spare > most_spare_percent) throw NumericalError("MUMPS wants ever more workspace to factor the tangent");
+    if (spare > most_spare_percent)
+      throw NumericalError(
+          "the factorization of the tangent wants more workspace; give a larger -solve_mat_mumps_icntl_14, in percent");
     check(PCReset(preconditioner(linear(snes_))));
     prepare_factor(linear(snes_), jacobian_, spare);
     x = start;
