@@ -16,7 +16,7 @@ void refuse_unstable(Scalar dt, Scalar longest) {
   if (dt > longest * (1 + 16 * std::numeric_limits<Scalar>::epsilon()))
     throw InputError("central-difference with a step of " + shown(dt) +
                      " s is unstable already for small motions: choose a step of at most " +
-                     shown((1 - 1e-6) * longest) + " s or another integrator");
+                     shown((1 - 6e-6) * longest) + " s or another integrator");
 }
 
 /// 2/ω_max of the model at rest, s.

@@ -1,7 +1,9 @@
 // Steps that fail: rejected, halved, counted, and never accepted.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+#include <string>
 
 #include "ritz/base/error.hpp"
 #include "runtime/nonlinear_support.hpp"
@@ -79,13 +81,20 @@ TEST(Rejection, OfWhatIsNotFinite) {
 
 TEST(Rejection, OfAnExplicitStepThatIsUnstableAtRest) {
   const auto method = nonlinear_central_difference<double>();
-  const auto polynomial = test::duffing(25, 1);
-  try {
-    test::start(polynomial, method, 0.5, VectorXd::Ones(1));
-    FAIL() << "an unstable step was taken";
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("at most 0.400000 s"), std::string::npos) << error.what();
+  for (const double stiffness : {25., 3.999961, 2.6243e12, 7e-9}) {
+    const auto polynomial = test::duffing(stiffness, 1);
+    const double longest = 2 / std::sqrt(stiffness);
+    try {
+      test::start(polynomial, method, 1.25 * longest, VectorXd::Ones(1));
+      FAIL() << "an unstable step was taken";
+    } catch (const InputError& error) {
+      const std::string text = error.what();
+      const double advised = std::stod(text.substr(text.find("at most ") + 8));
+      EXPECT_NEAR(advised, longest, 2e-5 * longest) << text;
+      EXPECT_NO_THROW(test::start(polynomial, method, advised, VectorXd::Ones(1))) << text;
+    }
   }
+  const auto polynomial = test::duffing(25, 1);
   auto motion = test::start(polynomial, method, 0.4, VectorXd::Constant(1, 1e-3));
   EXPECT_EQ(motion.step().status, Status::done);
   motion.dt = 0.41;
