@@ -186,5 +186,5 @@ def large(analysis):
 FORK_FACTORS = (1, 10, 100)
 FULL = (cantilever("16,2,2", "24,3,3"), twist((16, 2, 2), (24, 3, 3)), *map(fork, FORK_FACTORS), block(8, 16),
         large("static"), large("time"))
-QUICK = (cantilever("8,1,1", "12,2,2", end=1.3, steps=halved(0.02, 2), step_cost=0.01),
+QUICK = (cantilever("8,1,1", "12,2,2", end=1.3, steps=halved(0.02, 2), step_sizes=(), step_cost=0.01),
          block(4, 8, end=0.2, steps=halved(0.004, 2), step_cost=0.01))
