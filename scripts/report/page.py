@@ -26,10 +26,6 @@ def cell(text):
     return html.escape(str(text))
 
 
-def percent(value):
-    return "–" if math.isnan(value) else f"{100 * value:.3g} %"
-
-
 def number(value, unit=""):
     return "–" if math.isnan(value) else f"{value:,.3g}{unit}".replace(",", " ")
 
@@ -63,7 +59,7 @@ def reach_table(rows):
         row = compare.to_reach(of_method, 0.01)
         if row:
             lines.append((method.title, diagram.knobs(row), row["integrator"], row["precision"], number(row["step"]),
-                          percent(row["error_integrated"]), number(row["seconds"], " s"), number(row["microseconds"]),
+                          compare.percent(row["error_integrated"]), number(row["seconds"], " s"), number(row["microseconds"]),
                           number(row["microseconds_p99"]), number(row["precompute_seconds"], " s"),
                           number(compare.break_even(row, rows))))
         elif of_method:
@@ -80,8 +76,8 @@ def summary_table(rows):
 def cost_table(rows):
     chosen = [row for row in compare.done(rows) if row["sweep"] == "basis"]
     titles = diagram.TITLES
-    lines = [(titles[row["method"]], diagram.knobs(row), number(row["columns"]), percent(row["error_integrated"]),
-              percent(row["error_max"]), percent(row["error_frequency"]), number(row["error_force"]),
+    lines = [(titles[row["method"]], diagram.knobs(row), number(row["columns"]), compare.percent(row["error_integrated"]),
+              compare.percent(row["error_max"]), compare.percent(row["error_frequency"]), number(row["error_force"]),
               f"{number(row['microseconds'])} ({number(row['microseconds_q1'])} … {number(row['microseconds_q3'])})",
               number(row["microseconds_p99"]), number(row["precompute_seconds"], " s"), row["precompute_stages"],
               number(row["precompute_memory"] / 1e6), number(row["run_memory"] / 1e6), number(row["file_bytes"] / 1e6),
@@ -105,8 +101,8 @@ def scene_part(folder, rows, frames):
     text = (f"<h2>{cell(first['title'])}</h2>\n<p>{first['vertices']:.0f} vertices, {first['cells']:.0f} cells, "
             f"{first['dofs']:.0f} degrees of freedom; ritz-reduce and ritz-full on {first['ranks']:.0f} rank(s). "
             f"Reference: the full model, {'AVF, step' if first['analysis'] == 'time' else 'load step'} "
-            f"{number(first['reference_step'])}; its floor {percent(first['floor'])}. "
-            f"The mesh's part of the error: {percent(first['error_mesh'])} "
+            f"{number(first['reference_step'])}; its floor {compare.percent(first['floor'])}. "
+            f"The mesh's part of the error: {compare.percent(first['error_mesh'])} "
             f"(against {cell(first['mesh_compared'] or 'another')} mesh).</p>\n")
     if not compare.done(rows):
         return text + "<p>No run was finished.</p>"

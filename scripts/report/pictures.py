@@ -77,7 +77,7 @@ def break_even(rows):
     for row in best_sizes(rows):
         paid = compare.break_even(row, rows)
         after = f"\npaid back after {paid:.0f} steps" if paid <= MOST_STEPS else ""
-        label = f"{named(row)} ({100 * row['error_integrated']:.2g} % off){after}"
+        label = f"{named(row)} ({compare.percent(row['error_integrated'])} off){after}"
         axes.plot(steps, spent(row, steps), color=COLOURS[row["method"]], label=label)
         if after:
             axes.plot(paid, spent(row, paid), marker="o", color=COLOURS[row["method"]])

@@ -72,7 +72,7 @@ Vectors vectors_of(const Workload& work) {
   return v;
 }
 
-std::string about(double count, const char* one, const char* many) {
+std::string number_of(double count, const char* one, const char* many) {
   return counted(static_cast<std::int64_t>(count), one, many);
 }
 
@@ -88,7 +88,7 @@ double polynomial_seconds(const Workload& work, const Points& points, double r) 
 
 Estimate statics(const Workload& work, const ModesEstimate& modes) {
   return {"full statics", newton_steps * modes.newton_seconds, work.held + modes.newton_memory,
-          "about " + about(newton_steps, "step", "steps") + " of Newton"};
+          "about " + number_of(newton_steps, "step", "steps") + " of Newton"};
 }
 
 Estimate basis(const Workload& work, const ModesEstimate& modes, const Points& points, const Vectors& v) {
@@ -100,10 +100,10 @@ Estimate basis(const Workload& work, const ModesEstimate& modes, const Points& p
   const double search = work.config.accuracy ? v.modes * polynomial_seconds(work, points, v.columns) : 0;
   std::string how = work.config.accuracy ? "a search, through about " : "";
   if (v.derivatives > 0)
-    how += about(v.derivatives, "derivative", "derivatives") + ": loads " + shown_seconds(loads) + ", solves " +
+    how += number_of(v.derivatives, "derivative", "derivatives") + ": loads " + shown_seconds(loads) + ", solves " +
            shown_seconds(solves) + "; ";
-  how +=
-      (v.all() > v.snapshots ? "mass-PCA of " : "POD of ") + about(v.all(), "vector ", "vectors ") + shown_seconds(cut);
+  how += (v.all() > v.snapshots ? "mass-PCA of " : "POD of ") + number_of(v.all(), "vector ", "vectors ") +
+         shown_seconds(cut);
   const double vectors = 3 * v.modes + 2 * v.snapshots + 3 * directions + (v.derivatives > 0 ? 10 * block : 0);
   return {"basis", loads + solves + cut + search, work.held + modes.inverse_memory + 8 * work.rows * vectors, how};
 }
@@ -112,7 +112,7 @@ Estimate polynomial(const Workload& work, const ModesEstimate& modes, const Poin
   const double r = v.columns, terms = r + pair_count(r), coefficients = pair_count(pair_count(r)) / 3;
   return {"polynomial", polynomial_seconds(work, points, r),
           work.held + modes.inverse_memory + 8 * work.rows * (v.modes + 4 * r) + 8 * (terms * terms + 3 * coefficients),
-          about(r, "coordinate, ", "coordinates, ") + about(terms, "term of a strain", "terms of a strain")};
+          number_of(r, "coordinate, ", "coordinates, ") + number_of(terms, "term of a strain", "terms of a strain")};
 }
 
 Estimate witness(const Workload& work, const ModesEstimate& modes, const Points& points, const Vectors& v) {

@@ -15,10 +15,6 @@ std::filesystem::path xdmf_path(std::filesystem::path path) {
   return path.replace_extension(".xdmf");
 }
 
-parallel::RowMatrix by_vertex(const petsc::Tall& u) {
-  return Eigen::Map<const parallel::RowMatrix>(u.data(), u.rows() / 3, 3);
-}
-
 }  // namespace
 
 FullFile::FullFile(const std::filesystem::path& path, const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials,

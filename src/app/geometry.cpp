@@ -111,28 +111,38 @@ std::vector<model::VertexSet> vertex_sets(const mesh::Mesh& mesh, const std::vec
   return sets;
 }
 
+/// Owned vertices that are stored, and their rows.
+struct Stored {
+  std::vector<std::size_t> vertices;
+  std::vector<int64_t> rows;
+};
+
+Stored stored_of(const std::vector<int64_t>& row_of_owned) {
+  Stored stored;
+  for (std::size_t v = 0; v < row_of_owned.size(); ++v) {
+    if (row_of_owned[v] < 0) continue;
+    stored.vertices.push_back(v);
+    stored.rows.push_back(row_of_owned[v]);
+  }
+  return stored;
+}
+
 }  // namespace
 
 parallel::RowMatrix FileOrder::to_file(MPI_Comm comm, const parallel::RowMatrix& owned) const {
-  std::vector<int64_t> numbers;
-  parallel::RowMatrix kept(owned.rows(), owned.cols());
-  for (std::size_t v = 0; v < row_of_owned.size(); ++v) {
-    if (row_of_owned[v] < 0) continue;
-    kept.row(static_cast<Eigen::Index>(numbers.size())) = owned.row(static_cast<Eigen::Index>(v));
-    numbers.push_back(row_of_owned[v]);
-  }
-  kept.conservativeResize(static_cast<Eigen::Index>(numbers.size()), Eigen::NoChange);
-  return parallel::to_slices(comm, numbers, kept, slices.vertices.total);
+  const Stored stored = stored_of(row_of_owned);
+  return parallel::to_slices(comm, stored.rows, owned(stored.vertices, Eigen::all), slices.vertices.total);
 }
 
 std::vector<int64_t> FileOrder::to_file(MPI_Comm comm, std::span<const int64_t> owned) const {
-  std::vector<int64_t> numbers, kept;
-  for (std::size_t v = 0; v < row_of_owned.size(); ++v) {
-    if (row_of_owned[v] < 0) continue;
-    numbers.push_back(row_of_owned[v]);
-    kept.push_back(owned[v]);
-  }
-  return parallel::sorted_by_key(comm, numbers, kept, 1, slices.vertices.total);
+  const Stored stored = stored_of(row_of_owned);
+  std::vector<int64_t> kept;
+  for (const auto v : stored.vertices) kept.push_back(owned[v]);
+  return parallel::sorted_by_key(comm, stored.rows, kept, 1, slices.vertices.total);
+}
+
+parallel::RowMatrix by_vertex(const petsc::ConstTallRef& u) {
+  return Eigen::Map<const parallel::RowMatrix>(u.data(), u.rows() / 3, 3);
 }
 
 FileOrder file_order(const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials, config::StoredRows rows) {

@@ -22,6 +22,9 @@ struct FileOrder {
   std::vector<std::int64_t> to_file(MPI_Comm comm, std::span<const std::int64_t> owned) const;
 };
 
+/// One vector over owned vertices as a row x y z a vertex.
+parallel::RowMatrix by_vertex(const petsc::ConstTallRef& u);
+
 /// All vertices and solid cells, or the surface's vertices and faces. *Collective*.
 FileOrder file_order(const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials, config::StoredRows rows);
 

@@ -69,8 +69,7 @@ model::Report report(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Resul
 /// Column by column: all at once would be several copies of U, and more numbers than one message may have.
 void write_columns(format::ModelWriter& out, MPI_Comm comm, const FileOrder& order, const petsc::Tall& u) {
   const auto source = [&](format::Index column, std::span<double> values) {
-    const Eigen::Map<const parallel::RowMatrix> owned(u.col(column).data(), u.rows() / 3, 3);
-    const parallel::RowMatrix rows = order.to_file(comm, owned);
+    const parallel::RowMatrix rows = order.to_file(comm, by_vertex(u.col(column)));
     std::copy(rows.data(), rows.data() + rows.size(), values.begin());
   };
   format::write_basis(out, u.cols(), parallel::even_slice(comm, order.slices.vertices.total).count,

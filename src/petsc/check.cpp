@@ -41,7 +41,7 @@ void refuse_beyond_index(const std::string& what, std::int64_t count) {
   constexpr std::int64_t most = std::numeric_limits<PetscInt>::max();
   if (count > most)
     throw InputError(what + ", more than the " + std::to_string(most) +
-                     " that this PETSc's integers can count; use more ranks, or a PETSc with 64-bit indices");
+                     " that this PETSc's integers can count; use a PETSc with 64-bit indices");
 }
 
 }  // namespace ritz::petsc

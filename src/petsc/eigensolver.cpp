@@ -8,6 +8,7 @@
 #include "ritz/petsc/check.hpp"
 #include "ritz/petsc/csr.hpp"
 #include "ritz/petsc/handle.hpp"
+#include "ritz/petsc/mumps.hpp"
 
 namespace ritz::petsc {
 namespace {
@@ -26,15 +27,11 @@ ST spectral_transformation(EPS eps) {
 void use_shift_invert(EPS eps, double shift) {
   const ST st = spectral_transformation(eps);
   KSP ksp = nullptr;
-  PC pc = nullptr;
   check(STSetType(st, STSINVERT));
   check(EPSSetTarget(eps, shift));
   check(EPSSetWhichEigenpairs(eps, EPS_TARGET_MAGNITUDE));
   check(STGetKSP(st, &ksp));
-  check(KSPSetType(ksp, KSPPREONLY));
-  check(KSPGetPC(ksp, &pc));
-  check(PCSetType(pc, PCCHOLESKY));
-  check(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
+  use_mumps(ksp);
 }
 
 EigenSolver create(MPI_Comm comm) {

@@ -6,13 +6,12 @@
 #include "ritz/base/shown.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/petsc/check.hpp"
+#include "ritz/petsc/mumps.hpp"
 
 namespace ritz::petsc {
 namespace {
 
-constexpr PetscInt workspace_margin = 14;  // MUMPS ICNTL(14), percent
-constexpr PetscInt parallel_root = 13;     // ICNTL(13): a ScaLAPACK root hides its pivots' signs
-constexpr PetscInt columns_at_once = 27;   // ICNTL(27)
+constexpr PetscInt columns_at_once = 27;  // MUMPS ICNTL(27)
 constexpr int widest_block = 64;
 
 Mat factor_matrix(KSP ksp) {
@@ -23,46 +22,24 @@ Mat factor_matrix(KSP ksp) {
   return F;
 }
 
-bool is_mumps(Mat F) {
-  MatSolverType type = nullptr;
-  check(MatFactorGetSolverType(F, &type));
-  return std::string(type) == MATSOLVERMUMPS;
-}
-
 }  // namespace
 
-MumpsFailure mumps_failure(Mat F) {
-  PetscInt code = 0;
-  check(MatMumpsGetInfog(F, 1, &code));
-  if (code == -13 || code == -19) return MumpsFailure::memory;
-  if (code == -8 || code == -9 || code == -17 || code == -20) return MumpsFailure::workspace;
-  return MumpsFailure::other;
-}
-
 Factorization::Factorization(MPI_Comm comm, const std::string& prefix) : comm_(comm) {
-  PC pc = nullptr;
   check(KSPCreate(comm, ksp_.out()));
   check(KSPSetOptionsPrefix(ksp_, prefix.c_str()));
-  check(KSPSetType(ksp_, KSPPREONLY));
-  check(KSPGetPC(ksp_, &pc));
-  check(PCSetType(pc, PCCHOLESKY));
-  check(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
+  use_mumps(ksp_);
   check(KSPSetFromOptions(ksp_));
 }
 
 Mat Factorization::prepared() {
-  PC pc = nullptr;
   const char* prefix = nullptr;
   check(KSPGetOptionsPrefix(ksp_, &prefix));
   check(MatSetOptionsPrefixFactor(shifted_, prefix));
   check(KSPSetOperators(ksp_, shifted_, shifted_));
-  check(KSPGetPC(ksp_, &pc));
-  check(PCFactorSetUpMatSolverType(pc));
-  Mat F = factor_matrix(ksp_);
-  if (!is_mumps(F)) return F;
-  check(MatMumpsSetIcntl(F, parallel_root, 1));
+  Mat F = mumps_factor(ksp_);
+  if (!F) return nullptr;
+  prepare_mumps(F, margin_);
   check(MatMumpsSetIcntl(F, columns_at_once, -widest_block));
-  if (margin_ > 0) check(MatMumpsSetIcntl(F, workspace_margin, margin_));
   return F;
 }
 
@@ -70,7 +47,7 @@ FactorEstimate Factorization::analyse(Mat K) {
   check(MatDuplicate(K, MAT_COPY_VALUES, shifted_.out()));
   Mat F = prepared();
   FactorEstimate estimate;
-  if (!is_mumps(F)) return estimate;
+  if (!F) return estimate;
   MatFactorInfo info;
   check(MatFactorInfoInitialize(&info));
   check(MatCholeskyFactorSymbolic(F, shifted_, nullptr, &info));
@@ -95,9 +72,9 @@ void Factorization::factor(Mat K, Mat M, double sigma) {
     Mat F = prepared();
     MatFactorError error = MAT_FACTOR_NOERROR;
     check(KSPSetUp(ksp_));
-    check(MatFactorGetError(F, &error));
+    check(MatFactorGetError(factor_matrix(ksp_), &error));
     if (error == MAT_FACTOR_NOERROR) return;
-    const MumpsFailure failure = is_mumps(F) ? mumps_failure(F) : MumpsFailure::other;
+    const MumpsFailure failure = F ? mumps_failure(F) : MumpsFailure::other;
     if (failure == MumpsFailure::memory)
       throw NumericalError("memory ran out in the factorization of " + what +
                            "; use -solver iterative, or more machines");
@@ -122,10 +99,9 @@ void Factorization::solve(const ConstTallRef& b, TallRef x) const {
 }
 
 std::int64_t Factorization::negative_pivots() const {
-  Mat F = factor_matrix(ksp_);
   PetscInt negative = 0;
-  if (is_mumps(F)) check(MatMumpsGetInfog(F, 12, &negative));
-  else check(MatGetInertia(F, &negative, nullptr, nullptr));
+  if (Mat F = mumps_factor(ksp_)) check(MatMumpsGetInfog(F, 12, &negative));
+  else check(MatGetInertia(factor_matrix(ksp_), &negative, nullptr, nullptr));
   return negative;
 }
 

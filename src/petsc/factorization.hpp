@@ -16,11 +16,6 @@ struct FactorEstimate {
   double memory_total = 0;  ///< bytes
 };
 
-enum class MumpsFailure { memory, workspace, other };
-
-/// Why the factorization into F failed: no memory; too little workspace, which more of it (ICNTL(14)) helps; else.
-MumpsFailure mumps_failure(Mat F);
-
 /// Of A = K − σM: one symbolic analysis, any number of shifts σ.
 class Factorization {
  public:

@@ -7,15 +7,14 @@
 #include "ritz/parallel/comm.hpp"
 #include "ritz/petsc/check.hpp"
 #include "ritz/petsc/csr.hpp"
-#include "ritz/petsc/factorization.hpp"
 #include "ritz/petsc/handle.hpp"
 #include "ritz/petsc/multigrid.hpp"
+#include "ritz/petsc/mumps.hpp"
 
 namespace ritz::petsc {
 namespace {
 
-constexpr PetscInt workspace_margin = 14, spare_percent = 50, most_spare_percent = 800;  // MUMPS ICNTL(14)
-constexpr PetscInt parallel_root = 13;  // ICNTL(13): a ScaLAPACK root hides its pivots' signs
+constexpr PetscInt most_spare = 800;  // percent of MUMPS's workspace
 constexpr int most_iterations = 30;
 constexpr double linear_tolerance = 1e-8;  ///< of the iterative solver, relative to Newton's residual
 
@@ -94,10 +93,7 @@ PC preconditioner(KSP ksp) {
 }
 
 void set_direct(KSP ksp, Mat A) {
-  PC pc = preconditioner(ksp);
-  check(KSPSetType(ksp, KSPPREONLY));
-  check(PCSetType(pc, PCCHOLESKY));
-  check(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
+  use_mumps(ksp);
   check(MatSetOptionsPrefixFactor(A, "solve_"));
 }
 
@@ -109,20 +105,6 @@ void set_iterative(KSP ksp, Mat A, const ConstTallRef& near_null) {
   check(PCSetOptionsPrefix(pc, "multigrid_"));
   check(PCSetType(pc, PCGAMG));
   check(PCGAMGSetReuseInterpolation(pc, PETSC_TRUE));
-}
-
-/// The factor, when MUMPS makes it; what MUMPS is told before.
-Mat mumps_factor(KSP ksp) {
-  PC pc = preconditioner(ksp);
-  PetscBool factors = PETSC_FALSE;
-  Mat F = nullptr;
-  check(PetscObjectTypeCompareAny(reinterpret_cast<PetscObject>(pc), &factors, PCCHOLESKY, PCLU, ""));
-  if (!factors) return nullptr;
-  check(PCFactorSetUpMatSolverType(pc));
-  check(PCFactorGetMatrix(pc, &F));
-  MatSolverType type = nullptr;
-  check(MatFactorGetSolverType(F, &type));
-  return std::string(type) == MATSOLVERMUMPS ? F : nullptr;
 }
 
 NonlinearSolver make(MPI_Comm comm) {
@@ -140,10 +122,7 @@ NonlinearSolver make(MPI_Comm comm) {
 
 void prepare_factor(KSP ksp, Mat A, PetscInt spare) {
   check(KSPSetOperators(ksp, A, A));
-  if (Mat F = mumps_factor(ksp)) {
-    check(MatMumpsSetIcntl(F, workspace_margin, spare));
-    check(MatMumpsSetIcntl(F, parallel_root, 1));
-  }
+  if (Mat F = mumps_factor(ksp)) prepare_mumps(F, spare);
 }
 
 /// Whether the factorization failed for want of workspace, and is to be tried again with more. Throws where the memory
@@ -192,7 +171,7 @@ Newton::Newton(Mat jacobian, LinearSolver solver, const ConstTallRef& near_null)
   if (solver_ == LinearSolver::direct) set_direct(ksp, jacobian_);
   else set_iterative(ksp, jacobian_, near_null);
   check(SNESSetFromOptions(snes_));
-  prepare_factor(ksp, jacobian_, spare_percent);
+  prepare_factor(ksp, jacobian_, spare_);
 }
 
 NewtonOutcome Newton::solve(const Equations& equations, double tolerance, double scale, Tall& x) {
@@ -203,12 +182,13 @@ NewtonOutcome Newton::solve(const Equations& equations, double tolerance, double
   check(SNESSetConvergenceTest(snes_, converged, &call, nullptr));
   const Tall start = x;
   SNESConvergedReason reason = run(snes_, call, x);
-  for (PetscInt spare = 2 * spare_percent; reason < 0 && wants_workspace(linear(snes_)); spare *= 2) {
-    if (spare > most_spare_percent)
+  while (reason < 0 && wants_workspace(linear(snes_))) {
+    spare_ *= 2;
+    if (spare_ > most_spare)
       throw NumericalError(
           "the factorization of the tangent wants more workspace; give a larger -solve_mat_mumps_icntl_14, in percent");
     check(PCReset(preconditioner(linear(snes_))));
-    prepare_factor(linear(snes_), jacobian_, spare);
+    prepare_factor(linear(snes_), jacobian_, spare_);
     x = start;
     reason = run(snes_, call, x);
   }

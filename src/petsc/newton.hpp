@@ -48,6 +48,7 @@ class Newton {
   NonlinearSolver snes_;
   Mat jacobian_;
   LinearSolver solver_;
+  PetscInt spare_ = 50;  ///< percent of workspace that MUMPS gets beyond what it foresees
 };
 
 /// Makes the solver once on nothing, so that every option under newton_ counts as read. *Collective*.

@@ -36,7 +36,8 @@ BlockRows empty_rows(const mesh::Mesh& mesh, const mesh::Dofs& dofs) {
   auto& [pattern, rows] = blocks;
   pattern.graph = vertex_graph(mesh);
   const auto entries = parallel::max(mesh.comm, 9 * static_cast<std::int64_t>(pattern.graph.columns.size()));
-  petsc::refuse_beyond_index("a rank holds " + std::to_string(entries) + " entries of K", entries);
+  petsc::refuse_beyond_index("a rank holds " + std::to_string(entries) + " entries of K (more ranks hold fewer each)",
+                             entries);
   pattern.offsets.reserve(pattern.graph.columns.size());
   rows.own.columns.reserve(9 * pattern.graph.columns.size());
   for (int row = 0; row < mesh.owned; ++row) {

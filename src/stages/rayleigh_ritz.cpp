@@ -7,6 +7,7 @@
 #include "ritz/petsc/symmetric_eigen.hpp"
 
 namespace ritz::stages {
+
 RitzPairs rayleigh_ritz(Mat K, Mat M, const petsc::ConstTallRef& against, petsc::Tall x) {
   const int kept = petsc::orthonormalise(M, against, x);
   const auto basis = x.leftCols(kept);

@@ -93,6 +93,14 @@ class Files(InAFolder):
         self.reduce("-mesh", "m.inp", *BOX[2:-1], "2")
         self.assertEqual(self.options()["fix"], "the mesh file's own")
 
+    def test_vertex_numbers_that_no_double_holds(self):
+        ids = [2**53 + n for n in (1, 3, 5, 7)]
+        points = ["0, 0, 0", "1, 0, 0", "0, 1, 0", "0, 0, 1"]
+        (self.folder / "m.inp").write_text("*NODE\n" + "".join(f"{i}, {x}\n" for i, x in zip(ids, points)) +
+                                           f"*ELEMENT, TYPE=C3D4, ELSET=BODY\n1, {', '.join(map(str, ids))}\n")
+        self.reduce("-mesh", "m.inp", *BOX[2:-1], "2")
+        np.testing.assert_array_equal(np.sort(self.body()["geometry/vertex_ids"][:]), ids)
+
     def test_an_earlier_output_is_replaced(self):
         self.reduce(*CLAMPED)
         first = self.eigenvalues()

@@ -113,6 +113,10 @@ class Programs(unittest.TestCase):
             programs.run("/bin/bash", words)
         self.assertGreater(caught.exception.seconds, 0)
 
+    def test_a_failure_to_start_carries_the_launcher_s_sentence(self):
+        with self.assertRaisesRegex(programs.Failed, "^there are not enough slots$"):
+            programs.run("/bin/bash", ["-c", "echo ------; echo; echo there are not enough slots; echo ------; exit 1"])
+
     def test_a_killed_program_fails_too(self):
         with self.assertRaises(programs.Failed):
             programs.run("/bin/bash", ["-c", "kill -9 $$"])
