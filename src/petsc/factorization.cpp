@@ -7,6 +7,7 @@
 #include "ritz/parallel/comm.hpp"
 #include "ritz/petsc/check.hpp"
 #include "ritz/petsc/mumps.hpp"
+#include "ritz/petsc/preconditioner.hpp"
 
 namespace ritz::petsc {
 namespace {
@@ -15,10 +16,8 @@ constexpr PetscInt columns_at_once = 27;  // MUMPS ICNTL(27)
 constexpr int widest_block = 64;
 
 Mat factor_matrix(KSP ksp) {
-  PC pc = nullptr;
   Mat F = nullptr;
-  check(KSPGetPC(ksp, &pc));
-  check(PCFactorGetMatrix(pc, &F));
+  check(PCFactorGetMatrix(preconditioner(ksp), &F));
   return F;
 }
 
@@ -81,9 +80,7 @@ void Factorization::factor(Mat K, Mat M, double sigma) {
     if (failure == MumpsFailure::other || attempt == 4)
       throw NumericalError("the factorization of " + what + " failed; is the body held as it should be?");
     margin_ = std::max<PetscInt>(40, 2 * margin_);
-    PC pc = nullptr;
-    check(KSPGetPC(ksp_, &pc));
-    check(PCReset(pc));
+    check(PCReset(preconditioner(ksp_)));
   }
 }
 

@@ -3,17 +3,12 @@
 #include <string>
 
 #include "ritz/petsc/check.hpp"
+#include "ritz/petsc/preconditioner.hpp"
 
 namespace ritz::petsc {
 namespace {
 
 constexpr PetscInt parallel_root = 13, workspace_margin = 14;  // ICNTL
-
-PC preconditioner(KSP ksp) {
-  PC pc = nullptr;
-  check(KSPGetPC(ksp, &pc));
-  return pc;
-}
 
 }  // namespace
 

@@ -10,6 +10,7 @@
 #include "ritz/petsc/handle.hpp"
 #include "ritz/petsc/multigrid.hpp"
 #include "ritz/petsc/mumps.hpp"
+#include "ritz/petsc/preconditioner.hpp"
 
 namespace ritz::petsc {
 namespace {
@@ -84,12 +85,6 @@ KSP linear(SNES snes) {
   KSP ksp = nullptr;
   check(SNESGetKSP(snes, &ksp));
   return ksp;
-}
-
-PC preconditioner(KSP ksp) {
-  PC pc = nullptr;
-  check(KSPGetPC(ksp, &pc));
-  return pc;
 }
 
 void set_direct(KSP ksp, Mat A) {

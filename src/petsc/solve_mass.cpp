@@ -6,17 +6,16 @@
 #include "ritz/base/shown.hpp"
 #include "ritz/petsc/check.hpp"
 #include "ritz/petsc/handle.hpp"
+#include "ritz/petsc/preconditioner.hpp"
 
 namespace ritz::petsc {
 
 Tall solve_mass(Mat A, const ConstTallRef& b) {
   const MPI_Comm comm = comm_of(A);
   Solver ksp;
-  PC pc = nullptr;
   check(KSPCreate(comm, ksp.out()));
   check(KSPSetType(ksp, KSPCG));
-  check(KSPGetPC(ksp, &pc));
-  check(PCSetType(pc, PCJACOBI));
+  check(PCSetType(preconditioner(ksp), PCJACOBI));
   check(KSPSetNormType(ksp, KSP_NORM_UNPRECONDITIONED));
   check(KSPSetTolerances(ksp, 1e-15, PETSC_DEFAULT, PETSC_DEFAULT, 2000));
   check(KSPSetOperators(ksp, A, A));
