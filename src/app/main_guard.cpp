@@ -2,11 +2,9 @@
 
 #include <hdf5.h>
 
-#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <new>
-#include <thread>
 
 #include "ritz/base/error.hpp"
 #include "ritz/config/command_line.hpp"
@@ -17,22 +15,8 @@
 namespace ritz::app {
 namespace {
 
-using namespace std::chrono_literals;
-
-/// Whether every rank comes here in time.
-bool all_arrive(MPI_Comm comm) {
-  MPI_Request request;
-  MPI_Ibarrier(comm, &request);
-  const auto limit = std::chrono::steady_clock::now() + 5s;
-  for (int arrived = 0; std::chrono::steady_clock::now() < limit; std::this_thread::sleep_for(2ms)) {
-    MPI_Test(&request, &arrived, MPI_STATUS_IGNORE);
-    if (arrived) return true;
-  }
-  return false;
-}
-
 int answer(MPI_Comm comm, const std::string& program, const char* message, int code) {
-  const bool together = all_arrive(comm);
+  const bool together = parallel::vote(comm, false) != Vote::alone;
   if (!together || parallel::rank(comm) == 0) {
     std::fflush(stdout);
     std::fprintf(stderr, "%s: %s\n", program.c_str(), message);

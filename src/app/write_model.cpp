@@ -25,7 +25,8 @@ class ParallelAccess {
     H5Pset_fapl_mpio(file_, comm, MPI_INFO_NULL);
     H5Pset_dxpl_mpio(transfer_, H5FD_MPIO_COLLECTIVE);
     access = {file_, transfer_, parallel::rank(comm) == 0,
-              [comm](std::uint64_t mine) { return parallel::sum(comm, mine); }};
+              [comm](std::uint64_t mine) { return parallel::sum(comm, mine); },
+              [comm](bool yes) { return parallel::vote(comm, yes); }};
   }
   ~ParallelAccess() {
     H5Pclose(transfer_);

@@ -23,8 +23,13 @@ std::string shared(const Access& access, std::string bytes) {
   return bytes;
 }
 
+Vote vote(const Access& access, bool yes) {
+  if (access.vote) return access.vote(yes);
+  return yes ? Vote::all_yes : Vote::some_no;
+}
+
 void agree(const ModelWriter& out, bool ok, const std::string& path) {
-  if (sum(out.access(), ok ? 0 : 1) == 0) return;
+  if (vote(out.access(), ok) == Vote::all_yes) return;
   throw std::runtime_error("cannot write " + path + " of " + out.path().string() +
                            ": is the disk full? No file was left behind; make room and run again");
 }

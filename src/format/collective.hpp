@@ -13,7 +13,9 @@ std::uint64_t sum(const Access& access, std::uint64_t value);
 std::uint64_t shared(const Access& access, std::uint64_t value);
 /// *Collective*: the same for bytes of any number.
 std::string shared(const Access& access, std::string bytes);
-/// *Collective*: throws std::runtime_error on all ranks when `ok` is false on one.
+/// *Collective*: whether all ranks say yes, as Access::vote has it.
+Vote vote(const Access& access, bool yes);
+/// *Collective*: throws std::runtime_error on all ranks when `ok` is false on one; also where the others never come.
 void agree(const ModelWriter& out, bool ok, const std::string& path);
 
 }  // namespace ritz::format

@@ -68,13 +68,11 @@ ModelWriter::~ModelWriter() {
   if (part_.empty()) return;
   const Quiet quiet;
   std::error_code ignored;
-  try {
-    if (access_.writes_small) std::filesystem::resize_file(part_, 0, ignored);
-    sum(access_, 0);  // no rank closes before there is room
-  } catch (...) {     // a destructor has nobody to tell
-  }
-  file_.close();
-  if (access_.writes_small) std::filesystem::remove(part_, ignored);
+  if (access_.writes_small) std::filesystem::resize_file(part_, 0, ignored);
+  const bool alone = vote(access_, false) == Vote::alone;  // and no rank closes before there is room
+  if (alone) file_.release();
+  else file_.close();
+  if (access_.writes_small || alone) std::filesystem::remove(part_, ignored);
 }
 
 void ModelWriter::commit() {

@@ -1,6 +1,11 @@
 #include "ritz/parallel/comm.hpp"
 
+#include <chrono>
+#include <thread>
+
 namespace ritz::parallel {
+
+using namespace std::chrono_literals;
 
 int rank(MPI_Comm comm) {
   int r = 0;
@@ -12,6 +17,24 @@ int size(MPI_Comm comm) {
   int n = 0;
   MPI_Comm_size(comm, &n);
   return n;
+}
+
+Vote vote(MPI_Comm comm, bool yes) {
+  // Counted, as a collective that fails for want of memory is done too: each rank once, and each no.
+  constexpr std::int64_t no = std::int64_t{1} << 32;
+  const std::int64_t mine = 1 + (yes ? 0 : no);
+  std::int64_t all = 0;
+  MPI_Request request;
+  MPI_Iallreduce(&mine, &all, 1, MPI_INT64_T, MPI_SUM, comm, &request);
+  int done = 0;
+  const auto limit = std::chrono::steady_clock::now() + 5s;
+  if (yes) MPI_Wait(&request, MPI_STATUS_IGNORE);
+  while (!yes && !done && std::chrono::steady_clock::now() < limit) {
+    std::this_thread::sleep_for(2ms);
+    MPI_Test(&request, &done, MPI_STATUS_IGNORE);
+  }
+  if ((!yes && !done) || all % no != size(comm)) return Vote::alone;
+  return all < no ? Vote::all_yes : Vote::some_no;
 }
 
 void sum_in_place(MPI_Comm comm, Eigen::Ref<Eigen::MatrixXd> m) {

@@ -11,10 +11,16 @@
 #include <type_traits>
 #include <vector>
 
+#include "ritz/base/vote.hpp"
+
 namespace ritz::parallel {
 
 int rank(MPI_Comm comm);
 int size(MPI_Comm comm);
+
+/// Whether all ranks say yes. A rank that says no, because something failed there, waits for the others for seconds
+/// only; what is left to one that is alone is MPI_Abort.
+Vote vote(MPI_Comm comm, bool yes);
 
 template <class T>
 MPI_Datatype mpi_type() {

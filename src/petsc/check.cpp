@@ -1,21 +1,35 @@
 #include "ritz/petsc/check.hpp"
 
 #include <limits>
+#include <new>
+#include <string_view>
+#include <utility>
 
 #include "ritz/base/error.hpp"
 
 namespace ritz::petsc {
 namespace {
 
-/// PETSc reports an error through a callback before it returns the code: the first message of a chain is the cause.
-std::string& last_message() {
-  static std::string message;
-  return message;
+/// PETSc reports an error through a callback before it returns a code: the first of a chain is the cause.
+struct Cause {
+  bool memory = false;
+  std::string message;
+};
+
+/// PETSc 3.18 gives its own failed malloc another code.
+bool lacks_memory(PetscErrorCode code, std::string_view function) {
+  return code == PETSC_ERR_MEM || function == "PetscMallocAlign";
+}
+
+Cause& last_cause() {
+  static Cause cause;
+  return cause;
 }
 
 PetscErrorCode keep(MPI_Comm, int, const char* function, const char*, PetscErrorCode code, PetscErrorType type,
                     const char* message, void*) {
-  if (type == PETSC_ERROR_INITIAL) last_message() = std::string(message ? message : "error") + " (in " + function + ")";
+  if (type == PETSC_ERROR_INITIAL)
+    last_cause() = {lacks_memory(code, function), std::string(message ? message : "error") + " (in " + function + ")"};
   return code;
 }
 
@@ -25,16 +39,15 @@ void keep_messages() { PetscPushErrorHandler(keep, nullptr); }
 
 bool succeeds(PetscErrorCode code) {
   if (code == 0) return true;
-  last_message().clear();
+  last_cause() = {};
   return false;
 }
 
 void check(PetscErrorCode code) {
   if (code == 0) return;
-  std::string message = last_message().empty() ? "error " + std::to_string(code) : last_message();
-  last_message().clear();
-  if (code == PETSC_ERR_MEM) message = "memory ran out: " + message;
-  throw NumericalError("PETSc: " + message);
+  const Cause cause = std::exchange(last_cause(), {});
+  if (cause.memory || code == PETSC_ERR_MEM) throw std::bad_alloc();
+  throw NumericalError("PETSc: " + (cause.message.empty() ? "error " + std::to_string(code) : cause.message));
 }
 
 void refuse_beyond_index(const std::string& what, std::int64_t count) {

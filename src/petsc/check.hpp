@@ -7,7 +7,7 @@
 
 namespace ritz::petsc {
 
-/// Throws NumericalError with PETSc's own message when `code` is an error.
+/// Throws NumericalError with PETSc's own message when `code` is an error, std::bad_alloc when memory ran out.
 void check(PetscErrorCode code);
 
 /// Installs the handler that keeps PETSc's message for `check` in place of printing a stack trace.

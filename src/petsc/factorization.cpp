@@ -1,6 +1,7 @@
 #include "ritz/petsc/factorization.hpp"
 
 #include <algorithm>
+#include <new>
 
 #include "ritz/base/error.hpp"
 #include "ritz/base/shown.hpp"
@@ -91,7 +92,9 @@ void Factorization::solve(const ConstTallRef& b, TallRef x) const {
     const auto columns = std::min<Eigen::Index>(widest_block, b.cols() - first);
     const Matrix from = as_dense(comm_, copy.middleCols(first, columns));
     const Matrix to = as_dense(comm_, x.middleCols(first, columns));
-    check(MatMatSolve(F, from, to));
+    const PetscErrorCode code = MatMatSolve(F, from, to);
+    if (code != 0 && mumps_factor(ksp_) && mumps_failure(F) == MumpsFailure::memory) throw std::bad_alloc();
+    check(code);
   }
 }
 

@@ -5,9 +5,23 @@
 #include <petscsnes.h>
 #include <slepceps.h>
 
+#include <exception>
+#include <type_traits>
 #include <utility>
 
+#include "ritz/parallel/comm.hpp"
+
 namespace ritz::petsc {
+
+/// Whether an exception that this rank alone has thrown passes by a solver, whose factorization can be destroyed by all
+/// ranks together only: it is left to the end of the process then. Waits for the other ranks for seconds.
+template <class T>
+bool left_alone(T object) {
+  if constexpr (std::is_same_v<T, KSP> || std::is_same_v<T, SNES> || std::is_same_v<T, EPS>)
+    return std::uncaught_exceptions() > 0 &&
+           parallel::vote(PetscObjectComm(reinterpret_cast<PetscObject>(object)), false) == Vote::alone;
+  return false;
+}
 
 /// Owns one reference. Copies are not made; the handle converts to the raw type for PETSc's own functions.
 template <class T, PetscErrorCode (*destroy)(T*)>
@@ -20,7 +34,7 @@ class Handle {
     return *this;
   }
   ~Handle() {
-    if (object_) destroy(&object_);
+    if (object_ && !left_alone(object_)) destroy(&object_);
   }
 
   operator T() const { return object_; }

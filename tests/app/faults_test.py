@@ -1,16 +1,27 @@
 """A rank that dies, a disk that fills: the program ends, the earlier output is intact, a new start gives the same."""
 import os
+import re
 import resource
 import signal
 import subprocess
 import time
 import unittest
+from pathlib import Path
 
 from bad_input.runner import sentences
-from program import BIN, BOX, InAFolder
+from program import BIN, BOX
+from ranks_test import Compared
 
 LONGER = [*BOX, "-fix", "xmin", "-mesh", "box:1,.4,.3/12,5,5/tet10", "-modes", "60"]
+NONLINEAR = [*LONGER, "-mesh", "box:1,.4,.3/8,4,4/tet10", "-modes", "12", "-derivatives", "8", "-basis", "20",
+             "-polynomial"]
 EARLIER = {"model.h5": "an earlier model", "frequencies.csv": "earlier frequencies"}
+
+
+def await_that(condition):
+    deadline = time.monotonic() + 60
+    while not condition() and time.monotonic() < deadline:
+        time.sleep(0.001)
 
 
 def ranks_of(mpirun):
@@ -18,9 +29,14 @@ def ranks_of(mpirun):
     return sorted(map(int, listed.split()))
 
 
-class Faults(InAFolder):
+class Faults(Compared):
     def setUp(self):
         super().setUp()
+        self.write_earlier_output()
+
+    def write_earlier_output(self):
+        for path in self.folder.iterdir():
+            path.unlink()
         for name, text in EARLIER.items():
             (self.folder / name).write_text(text)
 
@@ -29,36 +45,63 @@ class Faults(InAFolder):
                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE)
 
     def await_line(self, process, stage):
-        while stage and (line := process.stdout.readline()):
+        while line := process.stdout.readline():
             if f"  {stage} " in line:
                 return
-        while not stage and len(ranks_of(process)) < 2:
-            time.sleep(0.01)
+        self.fail(f"{stage} never ended: {process.stderr.read()}")
 
     def expect_earlier_output(self):
         self.assertEqual({name: (self.folder / name).read_text() for name in EARLIER}, EARLIER)
 
-    def kill_rank_after(self, stage):
-        process = self.start(LONGER)
-        self.await_line(process, stage)
+    def kill_rank(self, wait):
+        """Kills the last rank once `wait(process)` returns."""
+        process = self.start(NONLINEAR)
+        wait(process)
         os.kill(ranks_of(process)[-1], signal.SIGKILL)
         process.communicate(timeout=60)
         self.assertNotEqual(process.returncode, 0)
         self.expect_earlier_output()
 
-    def test_a_rank_dies_at_the_start(self):
-        self.kill_rank_after("")
+    def both_ranks(self, process):
+        await_that(lambda: len(ranks_of(process)) == 2)
 
-    def test_a_rank_dies_while_assembling(self):
-        self.kill_rank_after("mesh")
+    def half_a_file(self, process):
+        self.await_line(process, "loads")
+        await_that((self.folder / "model.h5.part").exists)
 
-    def test_a_rank_dies_while_solving_and_a_new_start_gives_the_same(self):
-        self.kill_rank_after("assemble")
-        self.reduce(*LONGER)
-        once = self.eigenvalues()
-        self.reduce(*LONGER, "-output", "again.h5")
-        for a, b in zip(once, self.eigenvalues(), strict=True):
-            self.assertAlmostEqual(a / b, 1, delta=1e-10)
+    def test_a_rank_dies_in_any_stage_and_a_new_start_gives_the_same(self):
+        waits = {"mesh": self.both_ranks, "write": self.half_a_file}
+        before = ("mesh", "assemble", "modes", "basis", "witness", "polynomial", "inertia")
+        waits |= {f"what follows {stage}": lambda process, stage=stage: self.await_line(process, stage) for stage in before}
+        for name, wait in waits.items():
+            with self.subTest(name):
+                self.kill_rank(wait)
+        self.reduce(*NONLINEAR)
+        self.reduce(*NONLINEAR, "-output", "again.h5")
+        one, other = self.body(), self.body("again.h5")
+        self.expect_same_values(one, other)
+        self.expect_same_span(one, other)
+
+    def test_a_rank_that_runs_out_of_memory_alone_takes_the_others_along(self):
+        """Wherever it is, and whatever the others wait for, in Open MPI and in MUMPS too."""
+        failed = 0
+        for stage in ("assemble", "modes", "basis"):
+            process = self.start(NONLINEAR)
+            self.await_line(process, stage)
+            rank = ranks_of(process)[-1]
+            status = Path(f"/proc/{rank}/status").read_text()
+            size = 1024 * int(re.search(r"VmSize:\s+(\d+)", status)[1])
+            resource.prlimit(rank, resource.RLIMIT_AS, (size, size))
+            _, err = process.communicate(timeout=60)
+            with self.subTest(stage):
+                if process.returncode == 0:  # it had enough
+                    self.write_earlier_output()
+                    continue
+                failed += 1
+                self.assertIn("ritz-reduce: ", err)
+                self.expect_earlier_output()
+                self.assertEqual(self.files(), set(EARLIER))
+        self.assertGreater(failed, 1)
 
     def test_files_that_may_not_grow(self):
         """The limit falls on both ranks between two stages."""

@@ -53,7 +53,7 @@ class ParallelWrite : public testing::TestWithParam<H5FD_mpio_xfer_t> {
       MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_UINT64_T, MPI_SUM, MPI_COMM_WORLD);
       return value;
     };
-    return {file_.get(), transfer_.get(), rank() == ranks() - 1, sum};
+    return {file_.get(), transfer_.get(), rank() == ranks() - 1, sum, {}};
   }
 
   Properties file_, transfer_;

@@ -19,6 +19,25 @@ TEST(Comm, ReducesOverRanks) {
   EXPECT_EQ(sum_before(world, me + 1), me * (me + 1) / 2);
 }
 
+TEST(Vote, HearsEveryRank) {
+  EXPECT_EQ(vote(world, true), Vote::all_yes);
+  EXPECT_EQ(vote(world, rank(world) != size(world) - 1), Vote::some_no);
+  EXPECT_EQ(vote(world, false), Vote::some_no);
+}
+
+TEST(Vote, ARankThatFailsWhereTheOthersAreElsewhereLearnsThatItIsAlone) {
+  if (size(world) == 1) GTEST_SKIP() << "one rank is never alone";
+  int told = 0;
+  if (rank(world) == 0) {
+    EXPECT_EQ(vote(world, false), Vote::alone);
+    for (int other = 1; other < size(world); ++other) MPI_Send(&told, 1, MPI_INT, other, 0, world);
+  } else {
+    MPI_Recv(&told, 1, MPI_INT, 0, 0, world, MPI_STATUS_IGNORE);
+    EXPECT_EQ(vote(world, true), Vote::some_no);
+  }
+  MPI_Barrier(world);
+}
+
 TEST(Comm, AddsMatricesAlsoWhenTheyArePartsOfOthers) {
   Eigen::MatrixXd whole = Eigen::MatrixXd::Constant(4, 3, -1);
   auto part = whole.block(1, 0, 2, 3);

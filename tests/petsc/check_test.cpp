@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <new>
 
 #include "ritz/base/error.hpp"
 
@@ -21,6 +22,13 @@ TEST(Check, RefusesWhatIsBeyond) {
               testing::ThrowsMessage<InputError>(
                   testing::AllOf(testing::HasSubstr("the mesh has many degrees of freedom, more than the 2147483647"),
                                  testing::HasSubstr("64-bit indices"))));
+}
+
+TEST(Check, NamesALackOfMemoryWhateverPetscsCodeForIt) {
+  void* none = nullptr;
+  EXPECT_THROW(check(PetscMalloc(std::size_t{1} << 60, &none)), std::bad_alloc);
+  EXPECT_THROW(check(PETSC_ERR_MEM), std::bad_alloc);
+  EXPECT_THROW(check(PETSC_ERR_SUP), NumericalError);
 }
 
 }  // namespace

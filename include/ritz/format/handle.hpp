@@ -23,6 +23,8 @@ class Handle {
   explicit operator bool() const { return id_ >= 0; }
   /// Closes early; false when HDF5 reports a failure.
   bool close() { return id_ < 0 || Close(std::exchange(id_, H5I_INVALID_HID)) >= 0; }
+  /// Leaves it open for ever.
+  void release() { id_ = H5I_INVALID_HID; }
 
  private:
   hid_t id_ = H5I_INVALID_HID;

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 
+#include "ritz/base/vote.hpp"
 #include "ritz/format/handle.hpp"
 
 namespace ritz::format {
@@ -16,6 +17,8 @@ struct Access {
   bool writes_small = true;      ///< true on exactly one rank: it writes what is replicated, and names the file
   /// *Collective*: the sum of all ranks' values modulo 2^64, the same on every rank. Absent: one rank.
   std::function<std::uint64_t(std::uint64_t)> sum;
+  /// Whether all ranks say yes. A rank that says no waits for the others for seconds only. Absent: one rank.
+  std::function<Vote(bool)> vote;
 };
 
 /// Writes FILE.part and renames it to FILE on commit: there is never half a model under the final name.
@@ -25,7 +28,8 @@ class ModelWriter {
  public:
   /// Creates PATH.part. Throws InputError when it cannot be created (no such folder, no permission).
   explicit ModelWriter(std::filesystem::path path, Access access = {});
-  /// Removes PATH.part unless the model was committed.
+  /// Removes PATH.part unless the model was committed. *Collective*; a rank whose peers are elsewhere, because it failed
+  /// alone, waits for them for seconds only, and leaves the file open, as closing it is collective.
   ~ModelWriter();
   ModelWriter(const ModelWriter&) = delete;
   ModelWriter& operator=(const ModelWriter&) = delete;
