@@ -8,7 +8,6 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 BIN = Path(os.environ["RITZ_BIN"])
-SECONDS = 5
 # What mpirun says of a non-zero exit, and MPI's files of a write that fails.
 BOILERPLATE = re.compile(r"^-{60,}\n.*?^-{60,}\n|^mca_[^\n]*\n", re.M | re.S)
 
@@ -24,9 +23,15 @@ class Case:
     leaves: set = field(default_factory=set)  # new files of a run that is meant to succeed
 
 
-def command(case, ranks=2):
-    mpirun = ["mpirun", "-n", str(ranks)] if case.program in ("ritz-reduce", "ritz-full") else []
-    return [*mpirun, str(BIN / case.program), *map(str, case.words)]
+# mpirun ends the other ranks once one has failed: each first says with which code it ended by itself.
+EACH_RANK = 'trap "" TERM; codes=$1; shift; "$@"; code=$?; echo $code >"$codes/$OMPI_COMM_WORLD_RANK"; exit $code'
+
+
+def command(case, codes, ranks=2):
+    program = [str(BIN / case.program), *map(str, case.words)]
+    if case.program in ("ritz-reduce", "ritz-full"):
+        return ["mpirun", "-n", str(ranks), "sh", "-c", EACH_RANK, "sh", codes, *program]
+    return program
 
 
 def write_files(case, folder):
@@ -51,10 +56,10 @@ def sentences(stderr):
     return [line for line in lines if line.strip() and not line.startswith("warning: ")]
 
 
-def complaints_about(case, result, before, after, seconds):
+def complaints_about(case, result, codes, before, after):
     """What is wrong with the answer, in words; nothing when it is right."""
-    if result.returncode != case.code:
-        yield f"exit code {result.returncode} in place of {case.code}"
+    if {result.returncode, *codes} != {case.code}:
+        yield f"exit code {result.returncode}, of the ranks {codes}, in place of {case.code}"
     said = sentences(result.stderr)
     if len(said) != (0 if case.code == 0 else 1):
         yield f"{len(said)} lines on stderr"
@@ -71,20 +76,25 @@ def complaints_about(case, result, before, after, seconds):
     changed = [name for name in before if after.get(name) != before[name]]
     if changed:
         yield f"changed {changed}"
-    if seconds > SECONDS:
-        yield f"took {seconds:.1f} s"
+
+
+@dataclass
+class Answer:
+    complaints: list
+    said: str = ""
+    seconds: float = 0
 
 
 def run(case):
-    """The complaints about one case, and the program's sentence."""
-    with tempfile.TemporaryDirectory() as temporary:
+    with tempfile.TemporaryDirectory() as temporary, tempfile.TemporaryDirectory() as codes:
         folder = Path(temporary)
         write_files(case, folder)
         before = contents(folder)
         start = time.monotonic()
         try:
-            result = subprocess.run(command(case), cwd=folder, capture_output=True, text=True, timeout=60)
+            result = subprocess.run(command(case, codes), cwd=folder, capture_output=True, text=True, timeout=60)
         except subprocess.TimeoutExpired:
-            return ["hangs"], ""
+            return Answer(["hangs"])
         seconds = time.monotonic() - start
-        return list(complaints_about(case, result, before, contents(folder), seconds)), result.stderr
+        ended = [int(path.read_text()) for path in Path(codes).iterdir()]
+        return Answer(list(complaints_about(case, result, ended, before, contents(folder))), result.stderr, seconds)
