@@ -209,6 +209,18 @@ std::int64_t Newton::negative_pivots() const {
   return negative;
 }
 
+LinearAnswer Newton::solve_linear(const Tall& b) {
+  KSP ksp = linear(snes_);
+  Vector x, rhs;
+  check(MatCreateVecs(jacobian_, x.out(), rhs.out()));
+  set_values(rhs, b);
+  check(KSPSetOperators(ksp, jacobian_, jacobian_));
+  check(KSPSolve(ksp, rhs, x));
+  PetscReal energy = 0;
+  check(VecDot(x, rhs, &energy));
+  return {values(x), negative_pivots() > 0 || indefinite(ksp) || energy < 0};
+}
+
 void read_newton_options(MPI_Comm comm) {
   const NonlinearSolver snes = make(comm);
   check(SNESSetFromOptions(snes));

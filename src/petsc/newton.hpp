@@ -29,6 +29,12 @@ struct NewtonOutcome {
   std::string reason;   ///< PETSc's word for how it ended
 };
 
+/// What one linear solve found.
+struct LinearAnswer {
+  Tall x;
+  bool indefinite = false;  ///< the matrix certainly is not positive definite
+};
+
 class Newton {
  public:
   /// `jacobian` must outlive this. `near_null` spans what multigrid's smoothing cannot reduce (iterative; else no
@@ -41,6 +47,11 @@ class Newton {
 
   /// Negative eigenvalues of the last Jacobian that was factored; 0 without a factorization. *Collective*.
   std::int64_t negative_pivots() const;
+
+  /// J x = b by the Jacobian's values of now; x is not finite where that failed. That J is indefinite is told by the
+  /// inertia of its factorization, or by CG where it meets a direction of negative curvature, or by xᵀJx = xᵀb < 0.
+  /// *Collective*.
+  LinearAnswer solve_linear(const Tall& b);
 
   SNES snes() const { return snes_; }
 

@@ -5,6 +5,7 @@
 
 #include "ritz/base/error.hpp"
 #include "ritz/base/shown.hpp"
+#include "ritz/stages/fixed_vectors.hpp"
 #include "ritz/stages/rigid_modes.hpp"
 
 namespace ritz::stages {
@@ -12,6 +13,7 @@ namespace {
 
 constexpr int most_halvings = 10;  ///< of one increment: the load fraction of a limit point is known to 1/1024 of it
 constexpr double jump = .2;        ///< a change of u, relative to u, that no such increment makes on a smooth path
+constexpr std::uint64_t probe_stream = 4000;
 
 void refuse_loose(const FullModel& model) {
   const auto motions = rigid_motions(model.mesh, model.dofs).cols();
@@ -28,7 +30,7 @@ class Loading {
   /// From `state` to the fraction `to`.
   void advance(StaticState& state, double to, int depth) {
     if (solve(state, to, depth)) return;
-    if (depth == most_halvings) give_up(state);
+    if (depth == most_halvings) give_up(state, to);
     ++report.halvings;
     advance(state, (state.fraction + to) / 2, depth + 1);
     advance(state, to, depth + 1);
@@ -45,11 +47,7 @@ class Loading {
                                        energy_ = energy;
                                        r = force - F;
                                      },
-                                     [&](const petsc::Tall& x) {
-                                       fill_tangent(model_.tangent, model_.mesh, model_.dofs, model_.full.materials,
-                                                    Eigen::VectorXd::Ones(1),
-                                                    mesh::to_vertices(model_.mesh, model_.dofs, x));
-                                     },
+                                     [&](const petsc::Tall& x) { fill(x); },
                                      [&](const petsc::Tall& x) { return force_rounding(model_, x); }};
     const double scale = std::max(norm(model_, F), norm(model_, energy_and_force(model_, u).force));
     outcome_ = model_.newton.solve(equations, options_.tolerance, scale, u);
@@ -65,13 +63,41 @@ class Loading {
     return true;
   }
 
-  [[noreturn]] void give_up(const StaticState& state) const {
-    std::string ending = "Newton's relative residual " + shown(outcome_.residual / scale_, 3) + ", ";
-    if (outcome_.result == petsc::Convergence::failed) ending += outcome_.reason;
-    else if (unstable_ > 0) ending += std::to_string(unstable_) + " negative eigenvalues of the tangent";
-    else ending += "where the body has jumped and cells are inside out";
-    throw NumericalError("statics: no stable equilibrium was found beyond load fraction " + shown(state.fraction, 3) +
-                         ", a limit point of the load or a bifurcation (" + ending + ")");
+  void fill(const petsc::Tall& u) {
+    fill_tangent(model_.tangent, model_.mesh, model_.dofs, model_.full.materials, Eigen::VectorXd::Ones(1),
+                 mesh::to_vertices(model_.mesh, model_.dofs, u));
+  }
+
+  /// Whether the tangent ceases to be definite within the increment from `state` to the fraction `to`, looked for in
+  /// the direction that the tangent at `state` foretells, no further than a smooth path may go. A path bends towards a
+  /// limit point as a parabola does: its tangent foretells half of the way.
+  bool loses_stability(const StaticState& state, double to) {
+    fill(state.u);
+    const auto [ahead, indefinite] = model_.newton.solve_linear(load_(to) - load_(state.fraction));
+    const double length = norm(model_, ahead), most = jump * norm(model_, state.u);
+    if (indefinite || !(length > 0 && std::isfinite(length))) return indefinite;
+    fill(state.u + std::min(2.0, most / length) * ahead);
+    // Without an inertia it is the softest direction that tells: two steps of inverse iteration bring it out.
+    auto probe = model_.newton.solve_linear(fixed_vectors(model_.mesh, model_.dofs, 1, probe_stream));
+    if (!probe.indefinite) probe = model_.newton.solve_linear(probe.x);
+    return probe.indefinite;
+  }
+
+  std::string ending() const {
+    const std::string residual = "Newton's relative residual " + shown(outcome_.residual / scale_, 3) + ", ";
+    if (outcome_.result == petsc::Convergence::failed) return residual + outcome_.reason;
+    if (unstable_ > 0) return residual + std::to_string(unstable_) + " negative eigenvalues of the tangent";
+    return residual + "where the body has jumped and cells are inside out";
+  }
+
+  [[noreturn]] void give_up(const StaticState& state, double to) {
+    const std::string where = "beyond load fraction " + shown(state.fraction, 3), how = ending();
+    const bool lost = outcome_.result == petsc::Convergence::converged && unstable_ > 0;
+    if (lost || loses_stability(state, to))
+      throw NumericalError("statics: no stable equilibrium was found " + where +
+                           ", a limit point of the load or a bifurcation (" + how + ")");
+    throw NumericalError("statics: Newton's method found no equilibrium " + where + " (" + how +
+                         ") although the tangent is still definite there; raise [static] steps");
   }
 
   FullModel& model_;

@@ -8,7 +8,8 @@ namespace ritz::test {
 
 struct FullRun {
   Problem p;
-  stages::FullModel model = stages::full_model(p.mesh, p.dofs, p.full, petsc::LinearSolver::direct);
+  petsc::LinearSolver solver = petsc::LinearSolver::direct;
+  stages::FullModel model = stages::full_model(p.mesh, p.dofs, p.full, solver);
 
   petsc::Tall zeros() const { return petsc::Tall::Zero(p.dofs.owned, 1); }
   petsc::Tall free(const petsc::Tall& force) const { return mesh::from_vertices(p.mesh, p.dofs, force); }
