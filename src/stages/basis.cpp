@@ -16,7 +16,6 @@ namespace {
 using Eigen::Index;
 
 constexpr std::uint64_t sign_stream = 3000, direction_stream = 3001;
-constexpr double orthonormality_gate = 1e-11;
 
 EnteringModes entering(const ModesResult& modes, const std::vector<int>& chosen) {
   const auto vectors = flexible_modes(modes);

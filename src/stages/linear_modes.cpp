@@ -199,6 +199,12 @@ ModesResult summarise(const EigenProblem& problem, const ModesOptions& options, 
   return result;
 }
 
+void check_orthonormality(const model::Modes& modes) {
+  if (!(modes.orthonormality <= orthonormality_gate))
+    throw NumericalError("the modes are not mass-orthonormal: max |ΨᵀMΨ - I| is " + shown(modes.orthonormality, 3) +
+                         "; use a mesh of better shape");
+}
+
 void check_rigid_energies(const model::Modes& modes, Index rigid) {
   if (rigid == 0 || rigid == modes.eigenvalues.size()) return;
   const double worst = modes.energies.head(rigid).cwiseAbs().maxCoeff();
@@ -218,6 +224,7 @@ ModesResult linear_modes(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const F
   else search.found.pairs.vectors.resize(rigid.rows(), 0);
   ModesResult result = summarise(problem, options, search);
   result.strategy = options.strategy;
+  check_orthonormality(result.modes);
   check_rigid_energies(result.modes, rigid.cols());
   if (search.kept < options.count)
     result.notes.push_back(std::to_string(options.count) + " modes were asked for, but the body has only " +

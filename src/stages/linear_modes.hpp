@@ -57,8 +57,8 @@ using ModesProgress = std::function<void(const std::string& what, double fractio
 /// direct: shift-invert with MUMPS and block Lanczos; then the inertia of K − σM counts the eigenvalues below a shift
 /// past the last mode; a count that disagrees is searched for and, if it stays, a NumericalError. iterative: LOBPCG
 /// with GAMG, the rigid motions its near-null space; not certified. `earlier`: modes of an earlier run of the same
-/// problem, or no columns. Throws NumericalError when fewer modes converge than were asked for or a residual is above
-/// its gate. *Collective*.
+/// problem, or no columns. Throws NumericalError when fewer modes converge than were asked for, a residual is above
+/// its gate, or ΨᵀMΨ differs from I by more than 1e-12. *Collective*.
 ModesResult linear_modes(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full& full, const ModesOptions& options,
                          const petsc::ConstTallRef& earlier, const ModesProgress& progress);
 

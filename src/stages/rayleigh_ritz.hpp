@@ -23,6 +23,7 @@ struct Residuals {
 Residuals residuals(Mat K, Mat M, double norm_K, const RitzPairs& pairs);
 
 inline constexpr double residual_gate = 1e-8;
+inline constexpr double orthonormality_gate = 1e-12;  ///< max |XᵀMX − I| of modes and of a basis
 
 /// ‖A‖₁ = ‖A‖∞ of a symmetric matrix. *Collective*.
 double one_norm(Mat A);

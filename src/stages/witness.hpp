@@ -18,10 +18,18 @@ using Figures = std::vector<std::pair<std::string, double>>;
 Figures polynomial_witness(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full& full,
                            const petsc::ConstTallRef& u, const model::Polynomial& polynomial);
 
-/// The Taylor remainder of Eq. 17, R(p) = f(Σ p_i ψ_i + ½ Σ p_i p_j Φ_ij) − K Σ p_i ψ_i, over six halvings of p along a
-/// direction in the first modes: its slope is 3 (without the Φ it is 2). Needs the derivatives of the first (at most
-/// three) modes, which it solves for again. NaN where rounding hides the remainder. Throws NumericalError for a slope
-/// outside [2.9, 3.1]. *Collective*.
+/// The power of t with which ‖f(t ψ + t² φ) − t K ψ‖ falls over six halvings of t, without resultants where the body is
+/// free: 3 where φ = ½ Σ p_i p_j Φ_ij belongs to ψ = Σ p_i ψ_i (Eq. 17), and 2 for any other φ, zero included. The t
+/// are the smallest of those tried at which rounding does not hide the remainder; NaN where there are not enough.
+/// `line`: ψ, `curve`: φ, a column each. *Collective*.
+double taylor_slope(const DerivativesSource& source, const std::vector<fem::StVK>& materials,
+                    const petsc::ConstTallRef& line, const petsc::ConstTallRef& curve);
+
+/// Throws NumericalError for a slope outside [2.9, 3.1], and for one that is not a number.
+void require_third_order(double slope);
+
+/// That slope along a direction in the first (at most three) modes, whose derivatives it solves for again. Throws as
+/// above. *Collective*.
 Figures taylor_witness(const DerivativesSource& source, const std::vector<fem::StVK>& materials);
 
 }  // namespace ritz::stages

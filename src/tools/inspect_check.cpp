@@ -13,7 +13,7 @@ namespace ritz::tools {
 
 namespace {
 
-constexpr double orthonormality_gate = 1e-10, stiffness_gate = 1e-9;
+constexpr double orthonormality_gate = 1e-12, stiffness_gate = 1e-9;
 
 void require(bool holds, const format::ModelReader& in, const std::string& what) {
   if (!holds) throw InputError(in.name() + ": " + what + "; do not use this model, write it again with ritz-reduce");
@@ -73,7 +73,7 @@ std::string check_inertia(const format::ModelReader& in, const model::Inertia& i
   Eigen::MatrixXd error = -Eigen::MatrixXd::Identity(r, r);  // UᵀMU - I, M being M_s on each component
   for (Eigen::Index a = 0; a < 3; ++a) error += G.block(4 + a * r, 4 + a * r, r, r);
   const double size = error.norm();
-  require(size <= orthonormality_gate, in, text("UᵀMU differs from I by %.1e, more than 1e-10", size));
+  require(size <= orthonormality_gate, in, text("UᵀMU differs from I by %.1e, more than 1e-12", size));
   return text("UᵀMU = I to %.1e", size);
 }
 

@@ -115,7 +115,7 @@ TEST_F(Inspect, FindsWhatIsWrong) {
   wrong("not a finite", [](auto& b) { b.basis.U(0, 0) = std::numeric_limits<double>::infinity(); });
   wrong("not a finite", [](auto& b) { b.modes->residuals[0] = std::numeric_limits<double>::quiet_NaN(); });
   wrong("3 eigenvalues lie below the shift, but 2", [](auto& b) { b.modes->certificate.counted = 3; });
-  wrong("UᵀMU differs from I by 2.0e-10", [](auto& b) { b.inertia->gram(8, 8) += 2e-10; });
+  wrong("UᵀMU differs from I by 2.0e-12", [](auto& b) { b.inertia->gram(8, 8) += 2e-12; });
   wrong("not symmetric", [](auto& b) { b.inertia->gram(0, 8) += 1; });
   wrong("mass is not", [](auto& b) { b.inertia->gram(0, 0) = -1; });
   wrong("the materials are missing", [](auto& b) { b.geometry.materials.clear(); });
