@@ -118,10 +118,11 @@ TEST_P(AccurateBasis, SaysWhatWasReachedWhenTheTargetIsNot) {
 }
 
 // Hexahedra: the bending modes come in equal pairs.
-INSTANTIATE_TEST_SUITE_P(, AccurateBasis, testing::Values("6,1,1/tet10", "8,1,1/hex8"), [](const auto& info) {
-  const std::string text = info.param;
-  return text.substr(text.rfind('/') + 1);
-});
+INSTANTIATE_TEST_SUITE_P(, AccurateBasis, testing::Values("8,2,2/tet4", "6,1,1/tet10", "8,1,1/hex8"),
+                         [](const auto& info) {
+                           const std::string text = info.param;
+                           return text.substr(text.rfind('/') + 1);
+                         });
 
 }  // namespace
 }  // namespace ritz::test

@@ -13,9 +13,9 @@ using petsc::Tall;
 using stages::Cut;
 using stages::Principal;
 
-class Principals : public testing::Test {
+class Principals : public testing::TestWithParam<const char*> {
  protected:
-  const Problem p = box_of("box:1,.4,.3/4,2,2/tet4", false);
+  const Problem p = box_of(std::string("box:1,.4,.3/") + GetParam(), false);
   const Eigen::MatrixXd M = dense(p.full.mass);
 
   Tall random(int columns, std::uint64_t stream = 1) const {
@@ -51,7 +51,7 @@ class Principals : public testing::Test {
   }
 };
 
-TEST_F(Principals, OneBlockIsADenseDecomposition) {
+TEST_P(Principals, OneBlockIsADenseDecomposition) {
   const Tall x = graded(20, .5);
   const auto expected = svd(x);
   const Principal set = add_in_blocks(x, 20, {});
@@ -62,7 +62,7 @@ TEST_F(Principals, OneBlockIsADenseDecomposition) {
   EXPECT_LE(set.discarded, 1e-26 * first * first);  // rounding alone
 }
 
-TEST_F(Principals, ManyBlocksAgreeToWhatTheyDiscard) {
+TEST_P(Principals, ManyBlocksAgreeToWhatTheyDiscard) {
   const Tall x = graded(40, .6);
   const auto expected = svd(x);
   const Cut cut{.size = 8};
@@ -81,7 +81,7 @@ TEST_F(Principals, ManyBlocksAgreeToWhatTheyDiscard) {
   }
 }
 
-TEST_F(Principals, DiscardedSquaresAreTheProjectionError) {
+TEST_P(Principals, DiscardedSquaresAreTheProjectionError) {
   const Tall x = graded(20, .7);
   const Principal set = add_in_blocks(x, 20, {});
   for (const Index r : {1, 5, 12}) {
@@ -90,7 +90,7 @@ TEST_F(Principals, DiscardedSquaresAreTheProjectionError) {
   }
 }
 
-TEST_F(Principals, DependentColumnsAddNothing) {
+TEST_P(Principals, DependentColumnsAddNothing) {
   const Tall few = random(4);
   Tall x(few.rows(), 14);
   x << few, 0 * few.col(0), few * Eigen::MatrixXd::Constant(4, 4, 3), few.rowwise().sum() * 1e-200, few * 1e6;
@@ -102,7 +102,7 @@ TEST_F(Principals, DependentColumnsAddNothing) {
   }
 }
 
-TEST_F(Principals, TheOrderOfColumnsDoesNotMatter) {
+TEST_P(Principals, TheOrderOfColumnsDoesNotMatter) {
   const Tall x = graded(24, .5);
   const Principal one = add_in_blocks(x, 5, {.size = 6}), other = add_in_blocks(x.rowwise().reverse(), 5, {.size = 6});
   const Eigen::MatrixXd a = whole(p.mesh.comm, one.Q.leftCols(6)), b = whole(p.mesh.comm, other.Q.leftCols(6));
@@ -110,13 +110,19 @@ TEST_F(Principals, TheOrderOfColumnsDoesNotMatter) {
   EXPECT_LE(largest_sine(M, a, b), 10 * std::max(one.discarded, other.discarded) / std::pow(one.sigma[5], 2));
 }
 
-TEST_F(Principals, ACutByToleranceKeepsWhatIsAboveIt) {
+TEST_P(Principals, ACutByToleranceKeepsWhatIsAboveIt) {
   const Principal set = add_in_blocks(graded(12, .1), 4, {.tolerance = 1e-4});
   const int kept = stages::kept(set, {.tolerance = 1e-4});
   EXPECT_GT(set.sigma[kept - 1], 1e-4 * set.sigma[0]);
   EXPECT_LE(set.sigma[kept], 1e-4 * set.sigma[0]);
   EXPECT_LT(set.sigma.size(), 12);
 }
+
+INSTANTIATE_TEST_SUITE_P(, Principals, testing::Values("4,2,2/tet4", "3,1,1/tet10", "4,2,2/hex8"),
+                         [](const auto& info) {
+                           const std::string text = info.param;
+                           return text.substr(text.rfind('/') + 1);
+                         });
 
 }  // namespace
 }  // namespace ritz::test

@@ -1,0 +1,26 @@
+"""A model whose witness fails is not written, and an earlier one stays."""
+import sys
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "app"))
+
+from program import InAFolder  # noqa: E402
+
+MATERIAL = ["-material_young", "1e6", "-material_poisson", ".3", "-material_density", "1000", "-quiet"]
+
+
+class Witness(InAFolder):
+    def test_a_model_that_fails_is_not_written(self):
+        """A body so large that its quartic coefficients are too small for a number: what is left is not the body."""
+        words = [*MATERIAL, "-fix", "xmin", "-modes", "4", "-polynomial"]
+        self.reduce(*words, "-mesh", "box:1,.3,.2/4,1,1/hex8")
+        before = {path.name: path.read_bytes() for path in self.folder.iterdir()}
+        said = self.reduce(*words, "-mesh", "box:1e60,3e59,2e59/4,1,1/hex8", code=1).stderr
+        self.assertIn("the polynomial does not agree with the full model", said)
+        self.assertIn("the model was not written", said)
+        self.assertEqual({path.name: path.read_bytes() for path in self.folder.iterdir()}, before)
+
+
+if __name__ == "__main__":
+    unittest.main()
