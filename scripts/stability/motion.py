@@ -7,6 +7,8 @@ import numpy as np
 from .bench import SOFT, Broken
 
 BEAM = ["-mesh", "box:1,.1,.06/8,2,1/tet10", "-fix", "xmin", *SOFT]
+NEWTON = 1e-10  # the relative residual at which a step ends
+GAINED = 10 * NEWTON  # of the energy, by a method that only loses any: what that leaves open
 INTEGRATORS = ("avf", "implicit-euler", "bdf2", "newmark", "generalized-alpha")
 
 

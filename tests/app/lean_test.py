@@ -1,5 +1,5 @@
 """What a scene does not need is absent: which stages ran (PETSc's log), which groups the file has, and that a part more
-leaves every bit of the others as it was."""
+leaves every bit of the others as it was; on two ranks, leaves them the same at the gates of ranks_test.py."""
 import re
 import subprocess
 import unittest
@@ -8,6 +8,7 @@ import h5py
 import numpy as np
 
 from program import BIN, InAFolder
+from ranks_test import Compared
 
 BEAM = ["-mesh", "box:1,.1,.06/8,2,1/tet10", "-material_young", "1e6", "-material_poisson", ".3",
         "-material_density", "1000"]
@@ -108,6 +109,25 @@ class Lean(InAFolder):
         self.full(MOVING + "[damping]\nbeta = 1e-3\n")
         count = lambda text: int(re.search(r"^MatMult +(\d+)", text, re.MULTILINE).group(1))
         self.assertGreater(count((self.folder / "log").read_text()), count(log))
+
+
+class LeanOnTwoRanks(Compared):
+    def model(self, name, *words):
+        self.reduce(*HELD, "-modes", "4", "-quiet", *words, "-output", name)
+        return self.body(name)
+
+    def test_a_part_more_leaves_the_others(self):
+        linear, surface = self.model("linear.h5"), self.model("surface.h5", "-surface_only")
+        self.assertLess(len(surface["geometry/points"]), len(linear["geometry/points"]))
+        self.expect_same_modes(linear, surface)
+        nonlinear = ["-derivatives", "3", "-basis", "6"]
+        basis, forces = self.model("basis.h5", *nonlinear), self.model("forces.h5", *nonlinear, "-polynomial")
+        self.expect_same_values(linear, basis)
+        self.expect_same_values(basis, forces)
+        self.expect_same_span(basis, forces)
+        for one, other in ((linear, surface), (basis, forces)):
+            gram = one["inertia/gram"][:]
+            np.testing.assert_allclose(other["inertia/gram"][:], gram, rtol=0, atol=1e-9 * np.abs(gram).max())
 
 
 if __name__ == "__main__":

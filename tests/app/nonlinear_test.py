@@ -10,14 +10,15 @@ from program import BIN, InAFolder
 
 BEAM = ["-mesh", "box:1,.1,.06/8,2,1/tet10", "-fix", "xmin", "-material_young", "1e6", "-material_poisson", ".3",
         "-material_density", "1000"]
-STATIC = '[static]\nsteps = 2\n[[load]]\nset = "xmax"\ntotal = [0, 0, -3]\n[[probe]]\nname = "tip"\nset = "xmax"\n'
+LOAD = 3.6  # N: PL²/EI = 2
+STATIC = '[static]\nsteps = 2\n[[load]]\nset = "xmax"\ntotal = [0, 0, -{}]\n[[probe]]\nname = "tip"\nset = "xmax"\n'
 MOVING = '[time]\nstep = .02\nend = .1\nintegrator = "{}"\n'
 
 
 class Nonlinear(InAFolder):
     def setUp(self):
         super().setUp()
-        (self.folder / "scene.toml").write_text(STATIC)
+        (self.folder / "scene.toml").write_text(STATIC.format(LOAD))
 
     def tool(self, name, *words, code=0):
         result = subprocess.run([BIN / name, *words], cwd=self.folder, capture_output=True, text=True, timeout=60)
@@ -69,7 +70,7 @@ class Nonlinear(InAFolder):
         words = [*BEAM, "-accuracy", "1e-1", "-accuracy_scene", "scene.toml"]
         self.reduce(*words, "-output", "old.h5")
         self.assertIn("reusing the basis", self.reduce(*words, "-reuse", "old.h5").stdout)
-        (self.folder / "scene.toml").write_text(STATIC.replace("-3", "-1"))
+        (self.folder / "scene.toml").write_text(STATIC.format(LOAD / 3))
         result = self.reduce(*words, "-reuse", "old.h5")
         self.assertNotIn("reusing", result.stdout)
         self.assertIn("nothing is reused of old.h5: its basis was made with", result.stderr)

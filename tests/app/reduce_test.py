@@ -1,8 +1,11 @@
 """ritz-reduce as a program: what it prints, what it writes, what it takes over from an earlier run."""
 import math
+import os
+import pty
 import re
 import subprocess
 import unittest
+from pathlib import Path
 
 import h5py
 import numpy as np
@@ -10,6 +13,7 @@ import numpy as np
 from program import BIN, BOX, InAFolder
 
 CLAMPED = [*BOX, "-fix", "xmin"]
+CONFIG = Path(__file__).resolve().parents[2] / "config"
 
 HELD = """*NODE
 1, 0, 0, 0
@@ -37,6 +41,20 @@ def contents(group):
         else:
             found[name] = item[()]
     return found
+
+
+class Fork(InAFolder):
+    def test_the_prongs_swing_at_440_hz(self):
+        """Against each other in the fork's plane x-y: found by the shape of the tips, not by its place."""
+        self.reduce("-options_file", CONFIG / "fork.opts", "-mesh", CONFIG / "fork.msh", "-output", "model.h5",
+                    "-modes", "6")
+        body = self.body()
+        left, right = (columns(body)[body[f"geometry/sets/tip_{side}/rows"][:]].mean(axis=0)
+                       for side in ("left", "right"))
+        apart = np.abs(right - left)
+        opposing = (apart[0] > 10 * np.abs(right + left).max(axis=0)) & (apart[0] > 10 * apart[1:].max(axis=0))
+        frequencies = [float(row["frequency_hz"]) for row in self.frequencies()]
+        self.assertAlmostEqual(frequencies[np.flatnonzero(opposing)[0]], 440, delta=.005 * 440)
 
 
 class Files(InAFolder):
@@ -116,6 +134,33 @@ class Voice(InAFolder):
             self.assertEqual(len([l for l in lines if re.match(rf"\d{{4}}-\d\d-\d\d \d\d:\d\d:\d\d  {stage} ", l)]), 1, stage)
         self.assertFalse(any("\r" in line or "\033" in line for line in lines))
         self.assertTrue(any(line.startswith("certified: ") for line in lines))
+
+    def on_a_terminal(self, *words):
+        """What ritz-reduce writes to one, whose ends of line are \\r\\n."""
+        ours, theirs = pty.openpty()
+        with os.fdopen(ours, "rb", buffering=0) as screen:
+            run = subprocess.Popen(["mpirun", "-n", "2", BIN / "ritz-reduce", *words], cwd=self.folder, stdout=theirs,
+                                   stdin=subprocess.DEVNULL)
+            os.close(theirs)
+            written = b""
+            try:
+                while piece := screen.read(4096):
+                    written += piece
+            except OSError:  # the other end is closed
+                pass
+        self.assertEqual(run.wait(), 0)
+        return written.decode()
+
+    def test_one_updating_line_a_stage_on_a_terminal(self):
+        lines = [line.rstrip("\r").split("\r\033[K") for line in self.on_a_terminal(*CLAMPED).split("\n")]
+        self.assertNotRegex("".join(map("".join, lines)), r"[\r\033]")
+        for stage in ("mesh", "assemble", "modes", "inertia", "loads", "write"):
+            (*updates, _), = [line for line in lines if re.fullmatch(rf"{stage} +\d+\.\d\d s", line[-1])]
+            self.assertEqual(updates[0], "")
+            self.assertGreater(len(updates), 1)
+            for update in updates[1:]:
+                self.assertRegex(update, rf"^{stage}(: [a-z ]+)?  +\d+ %  \d+ s(, about \d+ s left)?$")
+        self.assertEqual([len(line) for line in lines if line[-1].startswith("certified: ")], [1])
 
     def test_quiet(self):
         result = self.reduce(*CLAMPED, "-quiet")
