@@ -5,7 +5,7 @@
 
 Whole programs against whole programs: seconds on the wall, peak memory over all processes, and the ratio to ccx (one
 thread). Frequencies are compared as well: a fast wrong answer is no answer. CalculiX integrates its mass with fewer
-points, so they agree to a few 1e-3 only.
+points, so they agree to a few 1e-3 only. Beside them, what -plan promises of both, over what was measured.
 """
 import argparse
 import csv
@@ -50,12 +50,15 @@ def timed(command, folder, limit):
 def reduce(binary, mesh, ranks, folder):
     command = ["mpirun", "-n", str(ranks), binary, "-mesh", mesh, "-fix", "xmin", "-modes", str(MODES),
                "-output", "model.h5"] + [w for k, v in MATERIAL.items() for w in (f"-material_{k}", str(v))]
+    _, plan = timed([*command, "-plan"], folder, None)
+    plan_seconds, plan_memory = map(float, re.search(r"in all +([\d.]+) s .* ([\d.]+) GB over", plan).groups())
     seconds, text = timed(command, folder, None)
     stages = {m[0]: float(m[1]) for m in re.findall(r"^[-\d]+ [:\d]+  (\w+) +([\d.]+) s$", text, re.M)}
     memory = float(re.search(r"peak memory ([\d.]+) GB", text)[1])
     with open(folder / "frequencies.csv") as rows:
         frequencies = [float(row["frequency_hz"]) for row in csv.DictReader(rows)]
-    return dict(seconds=seconds, memory=memory, stages=stages, frequencies=frequencies)
+    return dict(seconds=seconds, memory=memory, stages=stages, frequencies=frequencies,
+                plan_seconds=plan_seconds, plan_memory=plan_memory)
 
 
 def write_inp(folder):
@@ -105,7 +108,8 @@ def main():
     args = parser.parse_args()
     binary = (args.bin / "ritz-reduce").resolve()
     rows = []
-    print(f"{'mesh':34} {'program':10} {'seconds':>8} {'GB':>6} {'ccx/this':>9} {'memory/ccx':>10} {'assembly s':>10}")
+    print(f"{'mesh':34} {'program':10} {'seconds':>8} {'GB':>6} {'ccx/this':>9} {'memory/ccx':>10} {'assembly s':>10} "
+          f"{'plan s':>8} {'/this':>6} {'plan GB':>8} {'/this':>6}")
     for cells in args.cells.split(","):
         for size in map(int, args.sizes.split(",")):
             mesh = grid(cells, size)
@@ -117,10 +121,13 @@ def main():
                 speed = peer["seconds"] / run["seconds"] if peer else float("nan")
                 memory = run["memory"] / peer["memory"] if peer else float("nan")
                 assembly = run.get("stages", {}).get("assemble", float("nan"))
+                plan_seconds, plan_memory = (run.get(f"plan_{what}", float("nan")) for what in ("seconds", "memory"))
                 print(f"{mesh:34} {program:10} {run['seconds']:8.1f} {run['memory']:6.2f} {speed:9.2f} {memory:10.2f} "
-                      f"{assembly:10.2f}", flush=True)
+                      f"{assembly:10.2f} {plan_seconds:8.1f} {plan_seconds / run['seconds']:6.2f} {plan_memory:8.2f} "
+                      f"{plan_memory / run['memory']:6.2f}", flush=True)
                 rows.append(dict(mesh=mesh, program=program, seconds=run["seconds"], gigabytes=run["memory"],
-                                 speed_over_ccx=speed, memory_over_ccx=memory, assembly_seconds=assembly))
+                                 speed_over_ccx=speed, memory_over_ccx=memory, assembly_seconds=assembly,
+                                 plan_seconds=plan_seconds, plan_gigabytes=plan_memory))
             if peer:
                 n = min(len(peer["frequencies"]), MODES)
                 ours, theirs = (np.array(f[:n]) for f in (runs["1 rank"]["frequencies"], peer["frequencies"]))

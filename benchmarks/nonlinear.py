@@ -1,0 +1,57 @@
+#!/usr/bin/python3
+"""A beam of 150,000 degrees of freedom through all nonlinear stages, whole program, beside its bars; and how memory grows.
+
+    /usr/bin/python3 benchmarks/nonlinear.py --bin build/default/bin [--ranks 2]
+
+20 modes, their 210 derivatives, 30 columns, the polynomial. The bars: 60 s in all, 20 s after the modes, 4 GB over all
+ranks. The same with 10 modes' 55 derivatives says what the other 155 cost: streamed, they would cost no memory. The
+modes' seconds are what the rest is measured against.
+"""
+import argparse
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import time
+
+BEAM = ["-mesh", "box:0.3,0.3,1/24,24,80/tet4", "-fix", "zmin", "-material_young", "1e7", "-material_poisson", ".45",
+        "-material_density", "1000", "-modes", "20", "-basis", "30", "-polynomial"]
+ENVIRONMENT = dict(os.environ, OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1",
+                   OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_btl_vader_single_copy_mechanism="none",
+                   OMPI_MCA_rmaps_base_oversubscribe="1")
+WHOLE, AFTER, MEMORY = 60.0, 20.0, 4.0  # the bars: s, s, GB
+
+
+def run(binary, ranks, derivatives):
+    """Seconds of the whole program and of each stage; GB over all ranks."""
+    with tempfile.TemporaryDirectory() as folder:
+        start = time.perf_counter()
+        done = subprocess.run(["mpirun", "-n", str(ranks), binary, *BEAM, "-derivatives", str(derivatives)],
+                              cwd=folder, env=ENVIRONMENT, capture_output=True, text=True)
+        seconds = time.perf_counter() - start
+    if done.returncode != 0:
+        sys.exit(done.stdout + done.stderr)
+    stages = [(m[0], float(m[1])) for m in re.findall(r"^[-\d]+ [:\d]+  (\w+) +([\d.]+) s$", done.stdout, re.M)]
+    return seconds, stages, float(re.search(r"peak memory ([\d.]+) GB", done.stdout)[1])
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--bin", default="build/default/bin", type=pathlib.Path)
+    parser.add_argument("--ranks", default=2, type=int)
+    args = parser.parse_args()
+    for derivatives in (10, 20):
+        seconds, stages, memory = run((args.bin / "ritz-reduce").resolve(), args.ranks, derivatives)
+        names = [name for name, _ in stages]
+        after = sum(s for _, s in stages[names.index("modes") + 1:])
+        modes = stages[names.index("modes")][1]
+        print(f"{derivatives * (derivatives + 1) // 2} derivatives: {', '.join(f'{name} {s:.1f} s' for name, s in stages)}")
+        print(f"  whole {seconds:.1f} s ({seconds / WHOLE:.2f} of its bar), after the modes {after:.1f} s "
+              f"({after / AFTER:.2f} of its bar, {after / modes:.2f} of the modes), {memory:.2f} GB "
+              f"({memory / MEMORY:.2f} of its bar)", flush=True)
+
+
+if __name__ == "__main__":
+    main()
