@@ -1,4 +1,4 @@
-"""A rank that dies, a disk that fills: the program ends, the earlier output is intact, a new start gives the same."""
+"""A rank that dies, memory that runs out, a disk that fills: the program ends, the earlier output is intact, a new start gives the same."""
 import os
 import re
 import resource
@@ -8,6 +8,9 @@ import time
 import unittest
 from pathlib import Path
 
+import h5py
+import numpy as np
+
 from bad_input.runner import sentences
 from program import BIN, BOX
 from ranks_test import Compared
@@ -15,6 +18,8 @@ from ranks_test import Compared
 LONGER = [*BOX, "-fix", "xmin", "-mesh", "box:1,.4,.3/12,5,5/tet10", "-modes", "60"]
 NONLINEAR = [*LONGER, "-mesh", "box:1,.4,.3/8,4,4/tet10", "-modes", "12", "-derivatives", "8", "-basis", "20",
              "-polynomial"]
+FULL = [*BOX[2:-2], "-mesh", "box:1,.15,.1/12,3,2/hex8", "-fix", "xmin", "-scene", "scene.toml"]
+SWING = '[time]\nstep = 0.02\nend = 1\n[[load]]\nset = "xmax"\ntotal = [0, 2, 4]\n'
 EARLIER = {"model.h5": "an earlier model", "frequencies.csv": "earlier frequencies"}
 
 
@@ -40,8 +45,8 @@ class Faults(Compared):
         for name, text in EARLIER.items():
             (self.folder / name).write_text(text)
 
-    def start(self, words):
-        return subprocess.Popen(["mpirun", "-n", "2", BIN / "ritz-reduce", *words], cwd=self.folder, text=True,
+    def start(self, words, program="ritz-reduce"):
+        return subprocess.Popen(["mpirun", "-n", "2", BIN / program, *words], cwd=self.folder, text=True,
                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE)
 
     def await_line(self, process, stage):
@@ -53,9 +58,8 @@ class Faults(Compared):
     def expect_earlier_output(self):
         self.assertEqual({name: (self.folder / name).read_text() for name in EARLIER}, EARLIER)
 
-    def kill_rank(self, wait):
+    def kill_rank(self, process, wait):
         """Kills the last rank once `wait(process)` returns."""
-        process = self.start(NONLINEAR)
         wait(process)
         os.kill(ranks_of(process)[-1], signal.SIGKILL)
         process.communicate(timeout=60)
@@ -75,12 +79,39 @@ class Faults(Compared):
         waits |= {f"what follows {stage}": lambda process, stage=stage: self.await_line(process, stage) for stage in before}
         for name, wait in waits.items():
             with self.subTest(name):
-                self.kill_rank(wait)
+                self.kill_rank(self.start(NONLINEAR), wait)
         self.reduce(*NONLINEAR)
         self.reduce(*NONLINEAR, "-output", "again.h5")
         one, other = self.body(), self.body("again.h5")
         self.expect_same_values(one, other)
         self.expect_same_span(one, other)
+
+    def test_a_rank_of_the_full_model_dies(self):
+        (self.folder / "scene.toml").write_text(SWING)
+        (self.folder / "full.h5").write_text("an earlier motion")
+        for stage in ("mesh", "assemble"):
+            with self.subTest(stage):
+                self.kill_rank(self.start(FULL, "ritz-full"), lambda process: self.await_line(process, stage))
+                self.assertEqual((self.folder / "full.h5").read_text(), "an earlier motion")
+        states = []
+        for name in ("full.h5", "again.h5"):
+            subprocess.run(["mpirun", "-n", "2", BIN / "ritz-full", *FULL, "-output", name, "-quiet"], cwd=self.folder,
+                           check=True, timeout=60)
+            with h5py.File(self.folder / name) as file:
+                states.append(file["state/displacement"][:])
+        self.assertLess(np.abs(states[0] - states[1]).max(), 1e-10 * np.abs(states[0]).max())
+
+    def test_the_factorization_fails(self):
+        for option, value, word in (("23", "1", "memory ran out"), ("14", "-90", "the factorization of K")):
+            with self.subTest(word):
+                process = self.start([*NONLINEAR, "-mesh", "box:1,.4,.3/24,8,8/hex8", "-quiet",
+                                      f"-solve_mat_mumps_icntl_{option}", value])
+                _, err = process.communicate(timeout=60)
+                self.assertEqual(process.returncode, 1, err)
+                self.assertEqual(len(sentences(err)), 1, err)
+                self.assertIn(word, err)
+                self.expect_earlier_output()
+                self.assertEqual(self.files(), set(EARLIER))
 
     def test_a_rank_that_runs_out_of_memory_alone_takes_the_others_along(self):
         """Wherever it is, and whatever the others wait for, in Open MPI and in MUMPS too."""
