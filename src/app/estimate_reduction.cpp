@@ -13,7 +13,7 @@ namespace ritz::app {
 namespace {
 
 // Figures of the nonlinear stages measured on Tet4, Tet10 and Hex8 beams of up to 300k degrees of freedom
-// (benchmarks/stages).
+// (benchmarks/nonlinear.py holds a plan against what came of it).
 constexpr double loop_efficiency = 0.1;      ///< of dgemm's rate, in loops over cells
 constexpr double tall_efficiency = 0.5;      ///< of dgemm's rate, in products of tall matrices
 constexpr double directions_per_column = 4;  ///< of the set that a column of the basis is cut from

@@ -35,6 +35,18 @@ const char* word(model::Certified certified) {
   return "inertia";
 }
 
+std::string participation(const model::Inertia& inertia, Eigen::Index modes) {
+  const Eigen::MatrixXd factors = inertia.participation_factors();
+  std::string text =
+      "  mode  participation factors U^T M R: along x y z, kg^1/2; about x y z through the centre of mass, kg^1/2 m\n";
+  for (Eigen::Index i = 0; i < modes; ++i) {
+    text += formatted("%6td", i + 1);
+    for (const double factor : factors.row(i)) text += formatted("  %11.4g", factor);
+    text += '\n';
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string frequencies_csv(const model::Modes& modes) {
@@ -72,6 +84,7 @@ std::string summary(const model::Modes& modes, const model::Inertia& inertia) {
     text +=
         formatted("   all                                          %6.2f %% %6.2f %6.2f\n",
                   100 * masses.col(0).sum() / mass, 100 * masses.col(1).sum() / mass, 100 * masses.col(2).sum() / mass);
+  if (moving) text += participation(inertia, shown);
   const auto& c = modes.certificate;
   if (c.kind == model::Certified::inertia)
     text +=

@@ -1,5 +1,7 @@
 #include "ritz/model/model.hpp"
 
+#include <cmath>
+
 namespace ritz::model {
 
 namespace {
@@ -34,6 +36,15 @@ Eigen::MatrixXd Inertia::rigid_coupling() const {
     coupling.col(3 + d) = moment(f, e) - moment(e, f);  // a turn about d moves e by -x_f and f by x_e
   }
   return coupling;
+}
+
+Eigen::MatrixXd Inertia::participation_factors() const {
+  Eigen::MatrixXd factors = rigid_coupling();
+  const double most[] = {std::sqrt(mass()), std::sqrt(tensor().trace())};
+  for (Eigen::Index d = 0; d < 6; ++d)
+    for (double& factor : factors.col(d))
+      if (std::abs(factor) < 1e-9 * most[d / 3]) factor = 0;
+  return factors;
 }
 
 Eigen::MatrixXd Inertia::effective_masses() const { return rigid_coupling().leftCols<3>().cwiseAbs2(); }

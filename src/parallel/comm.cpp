@@ -1,6 +1,8 @@
 #include "ritz/parallel/comm.hpp"
 
+#include <array>
 #include <chrono>
+#include <memory>
 #include <thread>
 
 namespace ritz::parallel {
@@ -22,8 +24,9 @@ int size(MPI_Comm comm) {
 Vote vote(MPI_Comm comm, bool yes) {
   // Counted, as a collective that fails for want of memory is done too: each rank once, and each no.
   constexpr std::int64_t no = std::int64_t{1} << 32;
-  const std::int64_t mine = 1 + (yes ? 0 : no);
-  std::int64_t all = 0;
+  auto numbers = std::make_unique<std::array<std::int64_t, 2>>();
+  auto& [mine, all] = *numbers;
+  mine = 1 + (yes ? 0 : no);
   MPI_Request request;
   MPI_Iallreduce(&mine, &all, 1, MPI_INT64_T, MPI_SUM, comm, &request);
   int done = 0;
@@ -33,7 +36,11 @@ Vote vote(MPI_Comm comm, bool yes) {
     std::this_thread::sleep_for(2ms);
     MPI_Test(&request, &done, MPI_STATUS_IGNORE);
   }
-  if ((!yes && !done) || all % no != size(comm)) return Vote::alone;
+  if (!yes && !done) {
+    numbers.release();  // MPI may still write there
+    return Vote::alone;
+  }
+  if (all % no != size(comm)) return Vote::alone;
   return all < no ? Vote::all_yes : Vote::some_no;
 }
 

@@ -11,9 +11,6 @@
 namespace ritz::runtime {
 namespace {
 
-/// Below this fraction of its value at rest, the smallest eigenvalue of K̃ is on its way to zero.
-constexpr double near_zero = 0.1;
-
 template <class Scalar>
 double smallest_eigenvalue(const Matrix<Scalar>& matrix) {
   return eigenvalues(matrix.template cast<double>()).minCoeff();
@@ -68,15 +65,34 @@ bool stays_stable(const NonlinearModel<Scalar>& model, const Vector<Scalar>& z, 
   return begin > 0 && end > 0 && begin + lowest * (slope + lowest * curvature) > 0;
 }
 
+constexpr double jump = 0.2;  ///< of z, which no narrow increment changes by more on a smooth path
+
+/// Whether K̃ ceases to be positive definite within an increment of the load from z on. A path bends towards a limit
+/// point as a parabola does: its tangent foretells half of the way.
+template <class Scalar>
+bool loses_stability(const NonlinearModel<Scalar>& model, const Vector<Scalar>& z, const Vector<Scalar>& increment,
+                     StaticWorkspace<Scalar>& workspace) {
+  auto& [options, at, factors, trial, load, ahead] = workspace;
+  evaluate<Scalar>(model.forces, z, at);
+  factor(at.tangent, factors);
+  if (!factors.definite) return true;
+  ahead = increment;
+  solve_in_place(factors, ahead);
+  trial = z + std::min(Scalar(2), Scalar(jump) * z.norm() / ahead.norm()) * ahead;
+  evaluate<Scalar>(model.forces, trial, at);
+  factor(at.tangent, factors);
+  return !factors.definite;
+}
+
 template <class Scalar>
 [[noreturn]] void give_up(const NonlinearModel<Scalar>& model, const Vector<Scalar>& z, double reached,
-                          StaticWorkspace<Scalar>& workspace) {
+                          const Vector<Scalar>& increment, StaticWorkspace<Scalar>& workspace) {
   const double rest = smallest_eigenvalue(model.forces.linear);
   evaluate<Scalar>(model.forces, z, workspace.at);
   const double here = smallest_eigenvalue(workspace.at.tangent);
   std::ostringstream text;
   text << "statics reached load fraction " << reached << " and no further: ";
-  if (here <= near_zero * rest)
+  if (loses_stability(model, z, increment, workspace))
     text << "a limit point, where the smallest eigenvalue of the tangent stiffness goes to zero (" << here
          << " 1/s², at rest " << rest << "); the body snaps or buckles there: follow it with [time] and damping";
   else text << "Newton's method does not converge; use more load steps, or [time] with damping";
@@ -122,7 +138,10 @@ NonlinearOutcome solve_static(const NonlinearModel<Scalar>& model, const LoadPat
     }
     ++outcome.rejected;
     width /= 2;
-    if (width < narrowest) give_up(model, z, path.from + at * (path.to - path.from), workspace);
+    if (width < narrowest) {
+      const Vector<Scalar> increment = Scalar(2 * width) * (path.end - path.begin);
+      give_up(model, z, path.from + at * (path.to - path.from), increment, workspace);
+    }
   }
   return outcome;
 }

@@ -142,10 +142,14 @@ class Search {
   Index most_;
 };
 
-/// Puts M-normalised vectors in the order of their Rayleigh quotients, taken from the strains, and returns these.
+/// The Rayleigh quotients of M-normalised vectors.
+Eigen::VectorXd energies_of(const EigenProblem& problem, const petsc::ConstTallRef& vectors) {
+  return strain_energies(problem.mesh, problem.full.materials, mesh::to_vertices(problem.mesh, problem.dofs, vectors));
+}
+
+/// Puts M-normalised vectors in the order of their Rayleigh quotients, and returns these.
 Eigen::VectorXd sort_by_energy(const EigenProblem& problem, petsc::TallRef vectors) {
-  const Eigen::VectorXd energies =
-      strain_energies(problem.mesh, problem.full.materials, mesh::to_vertices(problem.mesh, problem.dofs, vectors));
+  const Eigen::VectorXd energies = energies_of(problem, vectors);
   std::vector<Index> order(static_cast<std::size_t>(energies.size()));
   std::iota(order.begin(), order.end(), Index{0});
   std::sort(order.begin(), order.end(), [&](Index a, Index b) { return energies[a] < energies[b]; });
@@ -178,6 +182,7 @@ ModesResult summarise(const EigenProblem& problem, const ModesOptions& options, 
   const petsc::Tall kpsi = petsc::multiply(full.stiffness, result.vectors);
   const Eigen::MatrixXd gram = petsc::inner(comm, result.vectors, petsc::multiply(full.mass, result.vectors));
   modes.energies = petsc::inner(comm, result.vectors, kpsi).diagonal();
+  modes.energies.head(rigid) = energies_of(problem, problem.rigid);  // K's rounding is more than they store
   modes.orthonormality = all > 0 ? (gram - Eigen::MatrixXd::Identity(all, all)).cwiseAbs().maxCoeff() : 0;
   modes.residuals = petsc::column_norms(comm, kpsi)
                         .cwiseQuotient((problem.norm_K * petsc::column_norms(comm, result.vectors)).cwiseMax(1e-300));

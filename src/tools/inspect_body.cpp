@@ -120,6 +120,14 @@ void describe_inertia(const model::Inertia& inertia, std::ostream& out) {
   };
   for (Eigen::Index i = 0; i < effective.rows(); ++i) row(std::to_string(i + 1), effective.row(i));
   row("sum", effective.colwise().sum());
+  out << '\n';
+  item(out) << "participation factors UᵀMR: along x y z, √kg; about x y z through the centre, √kg m\n";
+  const Eigen::MatrixXd factors = inertia.participation_factors();
+  for (Eigen::Index i = 0; i < factors.rows(); ++i) {
+    item(out) << text("%6td", i + 1);
+    for (const double factor : factors.row(i)) out << text(" %11.4g", factor);
+    out << '\n';
+  }
 }
 
 void describe_loads(const std::vector<model::SetLoad>& loads, std::ostream& out) {

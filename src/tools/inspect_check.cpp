@@ -13,7 +13,7 @@ namespace ritz::tools {
 
 namespace {
 
-constexpr double orthonormality_gate = 1e-12, stiffness_gate = 1e-9;
+constexpr double orthonormality_gate = 1e-12, stiffness_gate = 1e-11;
 
 void require(bool holds, const format::ModelReader& in, const std::string& what) {
   if (!holds) throw InputError(in.name() + ": " + what + "; do not use this model, write it again with ritz-reduce");
@@ -98,7 +98,7 @@ std::string check_polynomial(const format::ModelReader& in, const model::Body& b
       error = std::max(error, std::abs(p.quadratic[at] - (i == j ? stiffness[i] : 0)));
   error /= stiffness.cwiseAbs().maxCoeff();
   require(error <= stiffness_gate, in,
-          text("the polynomial's K̃(0) differs from UᵀKU by %.1e of its largest entry, more than 1e-9", error));
+          text("the polynomial's K̃(0) differs from UᵀKU by %.1e of its largest entry, more than 1e-11", error));
   return text("the polynomial's K̃(0) = UᵀKU to %.1e", error);
 }
 

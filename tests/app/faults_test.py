@@ -34,13 +34,13 @@ def ranks_of(mpirun):
     return sorted(map(int, listed.split()))
 
 
-class Faults(Compared):
+class Faulty(Compared):
     def setUp(self):
         super().setUp()
         self.write_earlier_output()
 
     def write_earlier_output(self):
-        for path in self.folder.iterdir():
+        for path in self.folder.glob("model.*"):
             path.unlink()
         for name, text in EARLIER.items():
             (self.folder / name).write_text(text)
@@ -58,25 +58,29 @@ class Faults(Compared):
     def expect_earlier_output(self):
         self.assertEqual({name: (self.folder / name).read_text() for name in EARLIER}, EARLIER)
 
+
+class Killed(Faulty):
     def kill_rank(self, process, wait):
-        """Kills the last rank once `wait(process)` returns."""
+        """Kills the last rank at once when `wait(process)` returns."""
+        await_that(lambda: len(ranks_of(process)) == 2)
+        victim = ranks_of(process)[-1]
         wait(process)
-        os.kill(ranks_of(process)[-1], signal.SIGKILL)
+        os.kill(victim, signal.SIGKILL)
         process.communicate(timeout=60)
         self.assertNotEqual(process.returncode, 0)
         self.expect_earlier_output()
 
-    def both_ranks(self, process):
-        await_that(lambda: len(ranks_of(process)) == 2)
+    def after(self, stage):
+        return lambda process: self.await_line(process, stage)
 
     def half_a_file(self, process):
         self.await_line(process, "loads")
         await_that((self.folder / "model.h5.part").exists)
 
     def test_a_rank_dies_in_any_stage_and_a_new_start_gives_the_same(self):
-        waits = {"mesh": self.both_ranks, "write": self.half_a_file}
+        waits = {"mesh": lambda process: None, "write": self.half_a_file}
         before = ("mesh", "assemble", "modes", "basis", "witness", "polynomial", "inertia")
-        waits |= {f"what follows {stage}": lambda process, stage=stage: self.await_line(process, stage) for stage in before}
+        waits |= {f"what follows {stage}": self.after(stage) for stage in before}
         for name, wait in waits.items():
             with self.subTest(name):
                 self.kill_rank(self.start(NONLINEAR), wait)
@@ -89,9 +93,10 @@ class Faults(Compared):
     def test_a_rank_of_the_full_model_dies(self):
         (self.folder / "scene.toml").write_text(SWING)
         (self.folder / "full.h5").write_text("an earlier motion")
-        for stage in ("mesh", "assemble"):
+        waits = {"mesh": lambda process: None, "assemble": self.after("mesh"), "run": self.after("assemble")}
+        for stage, wait in waits.items():
             with self.subTest(stage):
-                self.kill_rank(self.start(FULL, "ritz-full"), lambda process: self.await_line(process, stage))
+                self.kill_rank(self.start(FULL, "ritz-full"), wait)
                 self.assertEqual((self.folder / "full.h5").read_text(), "an earlier motion")
         states = []
         for name in ("full.h5", "again.h5"):
@@ -100,6 +105,10 @@ class Faults(Compared):
             with h5py.File(self.folder / name) as file:
                 states.append(file["state/displacement"][:])
         self.assertLess(np.abs(states[0] - states[1]).max(), 1e-10 * np.abs(states[0]).max())
+
+
+class Short(Faulty):
+    """Of memory, or of disk space, on all ranks."""
 
     def test_the_factorization_fails(self):
         for option, value, word in (("23", "1", "memory ran out"), ("14", "-90", "the factorization of K")):
@@ -112,27 +121,6 @@ class Faults(Compared):
                 self.assertIn(word, err)
                 self.expect_earlier_output()
                 self.assertEqual(self.files(), set(EARLIER))
-
-    def test_a_rank_that_runs_out_of_memory_alone_takes_the_others_along(self):
-        """Wherever it is, and whatever the others wait for, in Open MPI and in MUMPS too."""
-        failed = 0
-        for stage in ("assemble", "modes", "basis"):
-            process = self.start(NONLINEAR)
-            self.await_line(process, stage)
-            rank = ranks_of(process)[-1]
-            status = Path(f"/proc/{rank}/status").read_text()
-            size = 1024 * int(re.search(r"VmSize:\s+(\d+)", status)[1])
-            resource.prlimit(rank, resource.RLIMIT_AS, (size, size))
-            _, err = process.communicate(timeout=60)
-            with self.subTest(stage):
-                if process.returncode == 0:  # it had enough
-                    self.write_earlier_output()
-                    continue
-                failed += 1
-                self.assertIn("ritz-reduce: ", err)
-                self.expect_earlier_output()
-                self.assertEqual(self.files(), set(EARLIER))
-        self.assertGreater(failed, 1)
 
     def test_files_that_may_not_grow(self):
         """The limit falls on both ranks between two stages."""
@@ -160,6 +148,31 @@ class Faults(Compared):
             self.assertIn(result.returncode, (1, 2), result.stderr)
             self.assertEqual(len(sentences(result.stderr)), 1, result.stderr)
             self.assertEqual(result.stdout, "model.h5\nearlier\n")
+
+
+class Alone(Faulty):
+    def test_a_rank_that_runs_out_of_memory_alone_takes_the_others_along(self):
+        """Wherever it is, and whatever the others wait for, in Open MPI and in MUMPS too."""
+        (self.folder / "scene.toml").write_text(SWING)
+        failed = 0
+        for program, words, stage in (("ritz-reduce", NONLINEAR, "assemble"), ("ritz-reduce", NONLINEAR, "modes"),
+                                      ("ritz-reduce", NONLINEAR, "basis"), ("ritz-full", FULL, "assemble")):
+            process = self.start(words, program)
+            self.await_line(process, stage)
+            rank = ranks_of(process)[-1]
+            status = Path(f"/proc/{rank}/status").read_text()
+            size = 1024 * int(re.search(r"VmSize:\s+(\d+)", status)[1])
+            resource.prlimit(rank, resource.RLIMIT_AS, (size, size))
+            _, err = process.communicate(timeout=60)
+            with self.subTest(f"{program} after {stage}"):
+                if process.returncode == 0:  # it had enough
+                    self.write_earlier_output()
+                    continue
+                failed += 1
+                self.assertIn(f"{program}: ", err)
+                self.expect_earlier_output()
+                self.assertEqual(self.files(), {*EARLIER, "scene.toml"})
+        self.assertGreater(failed, 1)
 
 
 if __name__ == "__main__":

@@ -38,6 +38,10 @@ class Nonlinear(InAFolder):
     def reduced_tip(self, *words):
         self.reduce(*BEAM, *words, "-polynomial")
         self.tool("ritz-inspect", "model.h5", "--check")
+        told = self.tool("ritz-inspect", "model.h5")
+        witness = ["force", "energy", "stiffness"] + ["taylor_slope"] * ("-derivatives" in words)
+        for figure in ("basis_orthonormality", *(f"witness_{name}" for name in witness)):
+            self.assertIn(figure, told)
         self.tool("ritz-run", "model.h5", "--scene", "scene.toml")
         return self.tip()
 

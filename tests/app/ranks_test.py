@@ -55,10 +55,10 @@ def largest_sine(a, b):
     return np.linalg.norm(qb - qa @ (qa.T @ qb), 2)
 
 
-def span_gate(body):
+def span_gate(body, gates=DIRECT):
     """Of span(U), by the gap of the singular values where U was cut."""
     sigma, r = body["reduction/singular_values"][:], body["basis"].attrs["column_count"]
-    return DIRECT.of(1 - sigma[r] / sigma[r - 1] if r < len(sigma) else 1)
+    return gates.of(1 - sigma[r] / sigma[r - 1] if r < len(sigma) else 1)
 
 
 class Compared(InAFolder):
@@ -84,8 +84,8 @@ class Compared(InAFolder):
                 difference = np.linalg.norm(u[:, begin] - v[:, begin]) / np.linalg.norm(u[:, begin])
                 self.assertLessEqual(difference, gate, f"mode {begin}")
 
-    def expect_same_span(self, one, other):
-        self.assertLessEqual(largest_sine(flat_columns(one), flat_columns(other)), span_gate(one))
+    def expect_same_span(self, one, other, gates=DIRECT):
+        self.assertLessEqual(largest_sine(flat_columns(one), flat_columns(other)), span_gate(one, gates))
 
 
 class Ranks(Compared):
@@ -150,22 +150,26 @@ class Nonlinear(Compared):
         self.reduce(*MATERIAL, *words, "-polynomial", "-output", name, ranks=ranks)
         return self.body(name)
 
-    def compare(self, *words):
+    def compare(self, *words, gates=DIRECT, counts=RANKS):
         one = self.model(1, *words)
         U = flat_columns(one)
         u = U @ (.1 / np.abs(U).max() * np.arange(1, U.shape[1] + 1))
         energy = self.energy(one, u)
-        for ranks in RANKS:
+        for ranks in counts:
             with self.subTest(ranks=ranks):
                 other = self.model(ranks, *words)
-                self.expect_same_span(one, other)
+                self.expect_same_span(one, other, gates)
                 # The energy is of the fourth degree in what the span leaves of u.
-                self.assertAlmostEqual(self.energy(other, u) / energy, 1, delta=4 * span_gate(one))
+                self.assertAlmostEqual(self.energy(other, u) / energy, 1, delta=4 * span_gate(one, gates))
 
     def test_derivatives(self):
         for mesh in ("1,.1,.06/6,2,1/tet4", "1,.1,.06/3,1,1/tet10", "1,.3,.2/4,1,1/hex8"):  # the last has 4 cells
             with self.subTest(mesh=mesh):
                 self.compare("-mesh", "box:" + mesh, "-fix", "xmin", "-modes", "4", "-derivatives", "4", "-basis", "7")
+
+    def test_derivatives_without_a_factorization(self):
+        self.compare("-mesh", "box:1,.1,.06/4,2,1/tet10", "-fix", "xmin", "-modes", "4", "-derivatives", "4", "-basis",
+                     "7", "-solver", "iterative", gates=ITERATIVE, counts=(2, 3))
 
     def test_snapshots(self):
         np.save(self.folder / "s.npy", np.random.default_rng(1).random((6, 3 * 20)))

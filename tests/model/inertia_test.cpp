@@ -55,6 +55,15 @@ TEST(Inertia, GivesTheTensorAboutTheCentre) {
   EXPECT_LT((c.inertia().tensor() - tensor).norm(), 1e-11);
 }
 
+TEST(Inertia, GivesParticipationFactorsWithoutRounding) {
+  auto c = random_cloud();
+  c.U.col(0).setOnes();
+  const Eigen::MatrixXd factors = c.inertia().participation_factors(), exact = c.inertia().rigid_coupling();
+  for (Eigen::Index d = 0; d < 3; ++d) EXPECT_NEAR(factors(0, d) / c.mass.sum(), 1, 1e-13);
+  EXPECT_EQ(factors.row(0).tail<3>(), Eigen::RowVector3d::Zero());
+  EXPECT_EQ(factors.bottomRows(3), exact.bottomRows(3));
+}
+
 TEST(Inertia, GivesTheCouplingWithRigidMotions) {
   const auto c = random_cloud();
   const auto inertia = c.inertia();

@@ -43,6 +43,21 @@ TEST(NonlinearStatics, NameTheLimitPoint) {
   EXPECT_NEAR(1 + z[0], 1 / std::sqrt(3.0), 1e-2);
 }
 
+TEST(NonlinearStatics, CallNothingElseALimitPoint) {
+  const auto model = make_nonlinear_model<double>(bar(), {});
+  auto workspace = make_static_workspace(model, {.iterations = 1, .halvings = 0});
+  VectorXd z = VectorXd::Constant(1, -.38);  // where the tangent has 8 % of its stiffness left
+  const double stretch = 1 + z[0];
+  const VectorXd begin = VectorXd::Constant(1, .5 * stretch * (stretch * stretch - 1)), end = 1.0001 * begin;
+  try {
+    solve_static<double>(model, {begin, end}, z, workspace);
+    FAIL() << "one iteration was enough";
+  } catch (const NumericalError& error) {
+    EXPECT_NE(std::string(error.what()).find("Newton's method does not converge"), std::string::npos) << error.what();
+    EXPECT_EQ(std::string(error.what()).find("limit point"), std::string::npos) << error.what();
+  }
+}
+
 TEST(NonlinearStatics, HalveTheIncrementsAndCountThem) {
   const auto model = make_nonlinear_model<double>(test::random_polynomial(5), {});
   auto workspace = make_static_workspace(model, {.iterations = 4, .halvings = 16});

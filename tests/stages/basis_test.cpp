@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "ritz/base/error.hpp"
+#include "ritz/stages/fixed_vectors.hpp"
 #include "support/dense_algebra.hpp"
 #include "support/reduction.hpp"
 
@@ -89,6 +90,18 @@ TEST_P(Bases, DependentSnapshotsAreFoundOut) {
     FAIL();
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("only 3 "));
+  }
+}
+
+TEST_P(Bases, SnapshotsJoinTheModesWhateverTheirSize) {
+  Tall x = stages::fixed_vectors(r.p.mesh, r.p.dofs, 3, 9);
+  if (r.rigid.cols() > 0) petsc::subtract(x, r.rigid, r.gram(r.rigid, x));
+  for (const double scale : {1e-6, 1., 1e6}) {
+    const auto b = basis_of(r, {}, scale * x);
+    EXPECT_EQ(b.U.cols(), r.flexible.cols() + 3);
+    expect_orthonormal_and_diagonal(r, b);
+    EXPECT_LE(left_out(r, b.U, r.flexible).maxCoeff(), 1e-12);
+    EXPECT_LE(left_out(r, b.U, x).maxCoeff(), 1e-12 * r.norms(x).maxCoeff());
   }
 }
 

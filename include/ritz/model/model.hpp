@@ -67,7 +67,7 @@ struct Certificate {
 /// The modes of Kψ = λMψ (Eq. 1) in ascending order, rigid ones first. Without a Reduction, column i of U is mode i.
 struct Modes {
   Eigen::VectorXd eigenvalues;  ///< λ = ω², rad²/s²; 0 for a rigid mode
-  Eigen::VectorXd energies;   ///< the Rayleigh quotient ψᵀKψ/ψᵀMψ as computed (tells how rigid a rigid mode is)
+  Eigen::VectorXd energies;   ///< ψᵀKψ/ψᵀMψ as computed, of rigid modes from their strains (tells how rigid they are)
   Eigen::VectorXd residuals;  ///< ‖Kψ − λMψ‖ / (λ‖Mψ‖); for a rigid mode ‖Kψ‖ / (‖K‖‖ψ‖)
   std::vector<std::uint8_t> floor_applies;  ///< 1 where the residual passed by 10 ε‖K‖‖ψ‖ alone
   std::vector<ModeKind> kinds;
@@ -87,6 +87,9 @@ struct Inertia {
   /// UᵀMR, r x 6: R's columns are unit translations along x, y, z and unit rotations about axes x, y, z through
   /// the centre of mass.
   Eigen::MatrixXd rigid_coupling() const;
+  /// UᵀMR to be printed: zero where it is below 1e-9 of what a column of U could have, √mass or √tr(tensor). As U is
+  /// mass-orthonormal, these are its participation factors, √kg and √kg m.
+  Eigen::MatrixXd participation_factors() const;
   /// (ψᵀMR_d)² for the three translations, r x 3, kg: sums to at most the mass over all modes.
   Eigen::MatrixXd effective_masses() const;
 };
