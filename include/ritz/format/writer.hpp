@@ -28,8 +28,8 @@ class ModelWriter {
  public:
   /// Creates PATH.part. Throws InputError when it cannot be created (no such folder, no permission).
   explicit ModelWriter(std::filesystem::path path, Access access = {});
-  /// Removes PATH.part unless the model was committed. *Collective*; a rank whose peers are elsewhere, because it failed
-  /// alone, waits for them for seconds only, and leaves the file open, as closing it is collective.
+  /// Removes PATH.part unless the model was committed. *Collective*; a rank whose peers are elsewhere, because it
+  /// failed alone, waits for them for seconds only, and leaves the file open, as closing it is collective.
   ~ModelWriter();
   ModelWriter(const ModelWriter&) = delete;
   ModelWriter& operator=(const ModelWriter&) = delete;

@@ -67,7 +67,7 @@ struct Certificate {
 /// The modes of Kψ = λMψ (Eq. 1) in ascending order, rigid ones first. Without a Reduction, column i of U is mode i.
 struct Modes {
   Eigen::VectorXd eigenvalues;  ///< λ = ω², rad²/s²; 0 for a rigid mode
-  Eigen::VectorXd energies;   ///< ψᵀKψ/ψᵀMψ as computed, of rigid modes from their strains (tells how rigid they are)
+  Eigen::VectorXd energies;  ///< ψᵀKψ/ψᵀMψ as computed, of rigid modes from their strains (tells how rigid they are)
   Eigen::VectorXd residuals;  ///< ‖Kψ − λMψ‖ / (λ‖Mψ‖); for a rigid mode ‖Kψ‖ / (‖K‖‖ψ‖)
   std::vector<std::uint8_t> floor_applies;  ///< 1 where the residual passed by 10 ε‖K‖‖ψ‖ alone
   std::vector<ModeKind> kinds;
