@@ -29,8 +29,8 @@ class Factorization {
   /// when MUMPS asks for it. Throws NumericalError that names the matrix when the factorization fails. *Collective*.
   void factor(Mat K, Mat M, double sigma);
 
-  /// x = A⁻¹ b for all columns, in blocks. b and x may be the same. Throws std::bad_alloc where MUMPS has no memory for it.
-  /// *Collective*.
+  /// x = A⁻¹ b for all columns, in blocks. b and x may be the same. Throws std::bad_alloc where MUMPS has no memory for
+  /// it. *Collective*.
   void solve(const ConstTallRef& b, TallRef x) const;
 
   /// How many eigenvalues of the factored matrix are negative (Sylvester's law of inertia). *Collective*.
