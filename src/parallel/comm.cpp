@@ -3,6 +3,7 @@
 #include <array>
 #include <chrono>
 #include <memory>
+#include <new>
 #include <thread>
 
 namespace ritz::parallel {
@@ -21,13 +22,14 @@ int size(MPI_Comm comm) {
   return n;
 }
 
-Vote vote(MPI_Comm comm, bool yes) {
+Vote vote(MPI_Comm comm, bool yes) noexcept {
   // Counted, as a collective that fails for want of memory is done too: each rank once, and each no.
   constexpr std::int64_t no = std::int64_t{1} << 32;
-  auto numbers = std::make_unique<std::array<std::int64_t, 2>>();
+  std::unique_ptr<std::array<std::int64_t, 2>> numbers(new (std::nothrow) std::array<std::int64_t, 2>{});
+  if (!numbers) return Vote::alone;
   auto& [mine, all] = *numbers;
   mine = 1 + (yes ? 0 : no);
-  MPI_Request request;
+  MPI_Request request = MPI_REQUEST_NULL;
   MPI_Iallreduce(&mine, &all, 1, MPI_INT64_T, MPI_SUM, comm, &request);
   int done = 0;
   const auto limit = std::chrono::steady_clock::now() + 5s;

@@ -20,7 +20,7 @@ int size(MPI_Comm comm);
 
 /// Whether all ranks say yes. A rank that says no, because something failed there, waits for the others for seconds
 /// only; what is left to one that is alone is MPI_Abort.
-Vote vote(MPI_Comm comm, bool yes);
+Vote vote(MPI_Comm comm, bool yes) noexcept;
 
 template <class T>
 MPI_Datatype mpi_type() {

@@ -28,8 +28,10 @@ Cause& last_cause() {
 
 PetscErrorCode keep(MPI_Comm, int, const char* function, const char*, PetscErrorCode code, PetscErrorType type,
                     const char* message, void*) {
-  if (type == PETSC_ERROR_INITIAL)
-    last_cause() = {lacks_memory(code, function), std::string(message ? message : "error") + " (in " + function + ")"};
+  if (type != PETSC_ERROR_INITIAL) return code;
+  Cause& cause = last_cause();
+  cause.memory = lacks_memory(code, function);
+  if (!cause.memory) cause.message = std::string(message ? message : "error") + " (in " + function + ")";
   return code;
 }
 

@@ -92,9 +92,12 @@ void Factorization::solve(const ConstTallRef& b, TallRef x) const {
     const auto columns = std::min<Eigen::Index>(widest_block, b.cols() - first);
     const Matrix from = as_dense(comm_, copy.middleCols(first, columns));
     const Matrix to = as_dense(comm_, x.middleCols(first, columns));
-    const PetscErrorCode code = MatMatSolve(F, from, to);
-    if (code != 0 && mumps_factor(ksp_) && mumps_failure(F) == MumpsFailure::memory) throw std::bad_alloc();
-    check(code);
+    try {
+      check(MatMatSolve(F, from, to));
+    } catch (const NumericalError&) {
+      if (mumps_factor(ksp_) && mumps_failure(F) == MumpsFailure::memory) throw std::bad_alloc();
+      throw;
+    }
   }
 }
 

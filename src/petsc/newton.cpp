@@ -216,6 +216,9 @@ LinearAnswer Newton::solve_linear(const Tall& b) {
   set_values(rhs, b);
   check(KSPSetOperators(ksp, jacobian_, jacobian_));
   check(KSPSolve(ksp, rhs, x));
+  KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
+  check(KSPGetConvergedReason(ksp, &reason));
+  if (reason == KSP_DIVERGED_PC_FAILED) return {values(x), false};
   PetscReal energy = 0;
   check(VecDot(x, rhs, &energy));
   return {values(x), negative_pivots() > 0 || indefinite(ksp) || energy < 0};

@@ -32,7 +32,7 @@ struct NewtonOutcome {
 /// What one linear solve found.
 struct LinearAnswer {
   Tall x;
-  bool indefinite = false;  ///< the matrix certainly is not positive definite
+  bool indefinite = false;  ///< the matrix, or what CG is preconditioned with, is not positive definite
 };
 
 class Newton {

@@ -87,15 +87,16 @@ bool loses_stability(const NonlinearModel<Scalar>& model, const Vector<Scalar>& 
 template <class Scalar>
 [[noreturn]] void give_up(const NonlinearModel<Scalar>& model, const Vector<Scalar>& z, double reached,
                           const Vector<Scalar>& increment, StaticWorkspace<Scalar>& workspace) {
-  const double rest = smallest_eigenvalue(model.forces.linear);
-  evaluate<Scalar>(model.forces, z, workspace.at);
-  const double here = smallest_eigenvalue(workspace.at.tangent);
   std::ostringstream text;
   text << "statics reached load fraction " << reached << " and no further: ";
-  if (loses_stability(model, z, increment, workspace))
-    text << "a limit point, where the smallest eigenvalue of the tangent stiffness goes to zero (" << here
-         << " 1/s², at rest " << rest << "); the body snaps or buckles there: follow it with [time] and damping";
-  else text << "Newton's method does not converge; use more load steps, or [time] with damping";
+  if (loses_stability(model, z, increment, workspace)) {
+    evaluate<Scalar>(model.forces, z, workspace.at);
+    text << "a limit point, where the smallest eigenvalue of the tangent stiffness goes to zero ("
+         << smallest_eigenvalue(workspace.at.tangent) << " 1/s², at rest " << smallest_eigenvalue(model.forces.linear)
+         << "); the body snaps or buckles there: follow it with [time] and damping";
+  } else {
+    text << "Newton's method does not converge; use more load steps, or [time] with damping";
+  }
   throw NumericalError(text.str());
 }
 

@@ -96,8 +96,8 @@ class Loading {
     if (lost || loses_stability(state, to))
       throw NumericalError("statics: no stable equilibrium was found " + where +
                            ", a limit point of the load or a bifurcation (" + how + ")");
-    throw NumericalError("statics: Newton's method found no equilibrium " + where + " (" + how +
-                         ") although the tangent is still definite there; raise [static] steps");
+    throw NumericalError("statics: no equilibrium was found " + where + " (" + how +
+                         "), nor a sign that the tangent ceases to be definite there; raise [static] steps");
   }
 
   FullModel& model_;

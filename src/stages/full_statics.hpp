@@ -31,7 +31,7 @@ struct StaticReport {
 /// eigenvalues, is halved; so is one that turns more cells inside out, until they do so without a jump. Throws
 /// NumericalError that names the load fraction reached, where halving no longer helps: "a limit point of the load or a
 /// bifurcation", past which dead loads find no stable equilibrium, only where the tangent loses its definiteness within
-/// the increment that failed; else that Newton's method did not converge. Throws InputError when the supports leave the
+/// about twice the increment that failed; else that nothing was found. Throws InputError when the supports leave the
 /// body rigid motions. *Collective*.
 StaticReport full_statics(FullModel& model, const StaticOptions& options, StaticState start, const LoadAt& load,
                           const std::function<void(const StaticState&)>& reached);

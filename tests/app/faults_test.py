@@ -1,4 +1,5 @@
-"""A rank that dies, memory that runs out, a disk that fills: the program ends, the earlier output is intact, a new start gives the same."""
+"""A rank that dies, memory that runs out, a disk that fills: the program ends, the earlier output is intact, a new start
+gives the same."""
 import os
 import re
 import resource
@@ -16,6 +17,7 @@ from program import BIN, BOX
 from ranks_test import Compared
 
 LONGER = [*BOX, "-fix", "xmin", "-mesh", "box:1,.4,.3/12,5,5/tet10", "-modes", "60"]
+LARGE = [*LONGER, "-modes", "200"]  # to write: 15 MB
 NONLINEAR = [*LONGER, "-mesh", "box:1,.4,.3/8,4,4/tet10", "-modes", "12", "-derivatives", "8", "-basis", "20",
              "-polynomial"]
 FULL = [*BOX[2:-2], "-mesh", "box:1,.15,.1/12,3,2/hex8", "-fix", "xmin", "-scene", "scene.toml"]
@@ -24,9 +26,13 @@ EARLIER = {"model.h5": "an earlier model", "frequencies.csv": "earlier frequenci
 
 
 def await_that(condition):
+    """False when it did not come in time."""
     deadline = time.monotonic() + 60
-    while not condition() and time.monotonic() < deadline:
+    while not condition():
+        if time.monotonic() > deadline:
+            return False
         time.sleep(0.001)
+    return True
 
 
 def ranks_of(mpirun):
@@ -62,7 +68,7 @@ class Faulty(Compared):
 class Killed(Faulty):
     def kill_rank(self, process, wait):
         """Kills the last rank at once when `wait(process)` returns."""
-        await_that(lambda: len(ranks_of(process)) == 2)
+        self.assertTrue(await_that(lambda: len(ranks_of(process)) == 2))
         victim = ranks_of(process)[-1]
         wait(process)
         os.kill(victim, signal.SIGKILL)
@@ -75,15 +81,16 @@ class Killed(Faulty):
 
     def half_a_file(self, process):
         self.await_line(process, "loads")
-        await_that((self.folder / "model.h5.part").exists)
+        self.assertTrue(await_that((self.folder / "model.h5.part").exists))
 
     def test_a_rank_dies_in_any_stage_and_a_new_start_gives_the_same(self):
-        waits = {"mesh": lambda process: None, "write": self.half_a_file}
-        before = ("mesh", "assemble", "modes", "basis", "witness", "polynomial", "inertia")
+        waits = {"mesh": lambda process: None}
+        before = ("mesh", "assemble", "modes", "basis", "witness", "polynomial")
         waits |= {f"what follows {stage}": self.after(stage) for stage in before}
         for name, wait in waits.items():
             with self.subTest(name):
                 self.kill_rank(self.start(NONLINEAR), wait)
+        self.kill_rank(self.start(LARGE), self.half_a_file)
         self.reduce(*NONLINEAR)
         self.reduce(*NONLINEAR, "-output", "again.h5")
         one, other = self.body(), self.body("again.h5")
@@ -154,7 +161,7 @@ class Alone(Faulty):
     def test_a_rank_that_runs_out_of_memory_alone_takes_the_others_along(self):
         """Wherever it is, and whatever the others wait for, in Open MPI and in MUMPS too."""
         (self.folder / "scene.toml").write_text(SWING)
-        failed = 0
+        said = ""
         for program, words, stage in (("ritz-reduce", NONLINEAR, "assemble"), ("ritz-reduce", NONLINEAR, "modes"),
                                       ("ritz-reduce", NONLINEAR, "basis"), ("ritz-full", FULL, "assemble")):
             process = self.start(words, program)
@@ -168,11 +175,10 @@ class Alone(Faulty):
                 if process.returncode == 0:  # it had enough
                     self.write_earlier_output()
                     continue
-                failed += 1
-                self.assertIn(f"{program}: ", err)
+                said += err
                 self.expect_earlier_output()
                 self.assertEqual(self.files(), {*EARLIER, "scene.toml"})
-        self.assertGreater(failed, 1)
+        self.assertIn("ritz-reduce: memory ran out", said)  # not of all: what Open MPI needs may lack too
 
 
 if __name__ == "__main__":

@@ -53,7 +53,12 @@ class ParallelWrite : public testing::TestWithParam<H5FD_mpio_xfer_t> {
       MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_UINT64_T, MPI_SUM, MPI_COMM_WORLD);
       return value;
     };
-    return {file_.get(), transfer_.get(), rank() == ranks() - 1, sum, {}};
+    const auto vote = [](bool yes) {
+      int all = yes ? 1 : 0;
+      MPI_Allreduce(MPI_IN_PLACE, &all, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
+      return all == 1 ? Vote::all_yes : Vote::some_no;
+    };
+    return {file_.get(), transfer_.get(), rank() == ranks() - 1, sum, vote};
   }
 
   Properties file_, transfer_;

@@ -64,6 +64,7 @@ TEST_F(CalculiX, AgreesAtTheTipAndAtEveryVertex) {
   FullRun run = cantilever();
   const auto tips = read_table(folder / "static_tip.csv", 1);
   EXPECT_EQ(tips.size(), 5U);
+  int tables = 0;
   for (const auto& [p, tip] : tips) {
     SCOPED_TRACE("load " + shown(p));
     const auto u = run.statics(end_load(run, p), 1 + static_cast<int>(p / 2));
@@ -76,16 +77,21 @@ TEST_F(CalculiX, AgreesAtTheTipAndAtEveryVertex) {
 
     const fs::path file = folder / ("static_p" + shown(p) + "_all_vertices.csv");
     const auto everywhere = fs::exists(file) ? read_table(file, 0) : std::map<double, std::vector<double>>{};
+    tables += everywhere.empty() ? 0 : 1;
+    std::int64_t corners = 0;
     for (int v = 0; v < run.p.mesh.owned; ++v) {
       const auto id = static_cast<double>(run.p.mesh.ids[static_cast<std::size_t>(v)]);
       if (id == tip[7]) {
+        ++corners;
         EXPECT_LE((at(v) - vector_at(tip, 8)).norm(), gate);
       }
       if (!everywhere.empty()) {
         EXPECT_LE((at(v) - vector_at(everywhere.at(id), 1)).norm(), gate) << "vertex " << id;
       }
     }
+    EXPECT_EQ(parallel::sum(run.p.mesh.comm, corners), 1);
   }
+  EXPECT_EQ(tables, 3);
 }
 
 TEST_F(CalculiX, AgreesWithoutLargeDisplacements) {

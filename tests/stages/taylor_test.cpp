@@ -62,21 +62,11 @@ TEST_P(Taylor, TheWitnessPasses) {
   EXPECT_NEAR(figures[0].second, 3, .1);
 }
 
-// Derivatives of another material are derivatives that are wrong; an inverse that is none does not converge.
+// Derivatives of another material are derivatives that are wrong.
 TEST_P(Taylor, TheWitnessNoticesWrongDerivatives) {
   auto other = r.p.full.materials;
   for (auto& material : other) material.poisson *= .9;
   EXPECT_THROW(stages::taylor_witness(r.source(), other), NumericalError);
-  stages::ModesResult wrong = r.modes;
-  wrong.inverse = [](const petsc::ConstTallRef& b, petsc::TallRef x) { x = -b; };
-  const stages::DerivativesSource broken{r.p.mesh, r.p.dofs, r.p.full, wrong, r.flexible, r.source().rows};
-  EXPECT_NO_FATAL_FAILURE({
-    try {
-      const auto figures = stages::taylor_witness(broken, r.p.full.materials);
-      EXPECT_NEAR(figures[0].second, 3, .1) << "whoever answers answers rightly";
-    } catch (const NumericalError&) {
-    }
-  });
 }
 
 INSTANTIATE_TEST_SUITE_P(, Taylor,

@@ -32,8 +32,7 @@ StaticWorkspace<Scalar> make_static_workspace(const NonlinearModel<Scalar>& mode
 /// Follows f̃(z) = load from z, at rest under path.begin, to the rest under path.end, by Newton's method; an increment
 /// that does not converge to a stable state (K̃ positive definite) is halved. Throws NumericalError, naming the load
 /// fraction reached, where halving no longer helps: "a limit point" only where K̃ ceases to be positive definite within
-/// the increment that failed.
-/// Then z is the last state that was found.
+/// about twice the increment that failed. Then z is the last state that was found.
 template <class Scalar>
 NonlinearOutcome solve_static(const NonlinearModel<Scalar>& model, const LoadPath<Scalar>& path, Vector<Scalar>& z,
                               StaticWorkspace<Scalar>& workspace);
