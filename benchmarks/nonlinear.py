@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""A beam of 150,000 degrees of freedom through all nonlinear stages, whole program, beside its bars; and how memory grows.
+"""A beam of 150,000 degrees of freedom through all nonlinear stages, beside its bars; and how memory grows.
 
     /usr/bin/python3 benchmarks/nonlinear.py --bin build/default/bin [--ranks 2]
 
@@ -53,7 +53,8 @@ def main():
         names = [name for name, _ in stages]
         after = sum(s for _, s in stages[names.index("modes") + 1:])
         modes = stages[names.index("modes")][1]
-        print(f"{derivatives * (derivatives + 1) // 2} derivatives: {', '.join(f'{name} {s:.1f} s' for name, s in stages)}")
+        pairs = derivatives * (derivatives + 1) // 2
+        print(f"{pairs} derivatives: {', '.join(f'{name} {s:.1f} s' for name, s in stages)}")
         print(f"  whole {seconds:.1f} s ({seconds / WHOLE:.2f} of its bar), after the modes {after:.1f} s "
               f"({after / AFTER:.2f} of its bar, {after / modes:.2f} of the modes), {memory:.2f} GB "
               f"({memory / MEMORY:.2f} of its bar)\n"
