@@ -25,11 +25,8 @@ class Case:
 
 RANKS = 2
 # mpirun ends the other ranks once one has failed: each says with which code it ended by itself, and waits for the others.
-EACH_RANK = """codes=$1; shift; "$@"; code=$?; mine=$OMPI_COMM_WORLD_RANK
-echo $code >"$codes/.$mine"; mv "$codes/.$mine" "$codes/$mine"
-for i in $(seq 200); do
-  [ "$(ls "$codes" | wc -l)" = "$OMPI_COMM_WORLD_SIZE" ] && break; sleep .03
-done; exit $code"""
+EACH_RANK = """codes=$1; shift; "$@"; code=$?; echo $code >"$codes/$OMPI_COMM_WORLD_RANK"; tries=0
+until [ -s "$codes/0" ] && [ -s "$codes/1" ] || [ $tries = 200 ]; do sleep .03; tries=$((tries + 1)); done; exit $code"""
 
 
 def is_parallel(case):
@@ -105,5 +102,5 @@ def run(case):
         except subprocess.TimeoutExpired:
             return Answer(["hangs"])
         seconds = time.monotonic() - start
-        ended = [int(path.read_text()) for path in Path(codes).glob("[0-9]*")]
+        ended = [int(text) for path in Path(codes).iterdir() if (text := path.read_text())]
         return Answer(list(complaints_about(case, result, ended, before, contents(folder))), result.stderr, seconds)
