@@ -15,7 +15,8 @@ std::uint64_t shared(const Access& access, std::uint64_t value);
 std::string shared(const Access& access, std::string bytes);
 /// *Collective*: whether all ranks say yes, as Access::vote has it.
 Vote vote(const Access& access, bool yes);
-/// *Collective*: throws std::runtime_error on all ranks when `ok` is false on one; where that one's others never come, on it alone.
+/// *Collective*: throws std::runtime_error on all ranks when `ok` is false on one; where that one's others never come,
+/// on it alone.
 void agree(const ModelWriter& out, bool ok, const std::string& path);
 
 }  // namespace ritz::format

@@ -35,7 +35,7 @@ class Pod : public testing::TestWithParam<const char*> {
   stages::BasisResult pod(const Tall& x, int size) const {
     return basis_of(r, {.modes = {}, .cut = {.size = size, .tolerance = 1e-12}}, x);
   }
-  /// Every other snapshot from behind, then the rest.
+  /// In another order: 7 and their number have no common factor.
   static Tall shuffled(const Tall& x) {
     Tall y(x.rows(), x.cols());
     for (Index j = 0; j < x.cols(); ++j) y.col(j) = x.col((7 * j + 3) % x.cols());

@@ -1,11 +1,7 @@
 """A model whose witness fails is not written, and an earlier one stays."""
-import sys
 import unittest
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "app"))
-
-from program import InAFolder  # noqa: E402
+from program import InAFolder
 
 MATERIAL = ["-material_young", "1e6", "-material_poisson", ".3", "-material_density", "1000", "-quiet"]
 
