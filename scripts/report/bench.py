@@ -93,15 +93,16 @@ class Bench:
         folder = self.folder / "full" / name_of(words, scene.name)
         cost = load(folder / "cost.json")
         if not cost:
-            cost = self.full_once(words, scene, folder, self.every(step), self.scene.count(step))
+            folder.mkdir(parents=True, exist_ok=True)
+            done = self.full_once(scene, folder / "full.h5", ["-every", self.every(step)])
+            cost = {"wall": done.seconds, "memory": done.memory}
             save(folder / "cost.json", cost)
         return folder, cost
 
-    def full_once(self, words, scene, folder, every, steps):
-        folder.mkdir(parents=True, exist_ok=True)
-        done = programs.run(self.bin / "ritz-full", [*words, "-scene", scene, "-every", every, "-output",
-                                                     folder / "full.h5"], self.scene.ranks)
-        return {"seconds": done.stage("run"), "wall": done.seconds, "memory": done.memory, "steps": steps}
+    def full_once(self, scene, output, words):
+        """Runs the full model; what its steps cost stands beside `output` as timing.csv."""
+        return programs.run(self.bin / "ritz-full", [*self.problem(), "-scene", scene, "-output", output, "-timing",
+                                                     output.parent / "timing.csv", *words], self.scene.ranks)
 
     def training(self):
         """The motion that POD learns from, at the middle step."""

@@ -64,17 +64,10 @@ def judged(campaign, bench, found, run, key):
     if state is None:
         campaign.progress.say(f"{bench.scene.name}: {describe(run)}")
         row, over_time = trial.judge(bench, found, run, key)
-        state = {"row": row, "over_time": over_time, "samples": first_sample(bench, run, row)}
+        state = {"row": row, "over_time": over_time, "samples": []}
         save(path, state)
     campaign.progress.add(seconds(bench.scene, run))
     return state
-
-
-def first_sample(bench, run, row):
-    """The full model's motion has been timed already when it was made."""
-    if BY_NAME[run.method].program != "full" or row["status"] != "done":
-        return []
-    return [trial.full_sample(bench.full(run.step, run.integrator)[1])]
 
 
 def time_round(campaign, bench, runs, states, repetition):
@@ -83,17 +76,11 @@ def time_round(campaign, bench, runs, states, repetition):
     random.Random(repetition).shuffle(order)
     for key in order:
         state = states[key]
-        if state["row"]["status"] == "done" and not enough(state["samples"], repetition, campaign.form):
+        if state["row"]["status"] == "done" and len(state["samples"]) <= repetition:
             campaign.progress.say(f"{bench.scene.name}: {describe(runs[key])}, round {repetition + 1}")
-            state["samples"].append(trial.sample(bench, runs[key], key))
+            state["samples"].append(trial.sample(bench, runs[key], key, repetition, campaign.form.repetitions))
             save(state_path(bench, key), state)
-        if repetition < rounds(bench.scene, runs[key], campaign.form):
-            campaign.progress.add(seconds(bench.scene, runs[key]))
-
-
-def enough(samples, repetition, form):
-    """Whether this round has been timed already, or the earlier ones took long enough together."""
-    return len(samples) > repetition or sum(sample["seconds"] for sample in samples) > form.seconds
+        campaign.progress.add(round_seconds(bench.scene, runs[key], campaign.form))
 
 
 def finish(campaign, bench, found, run, key, state):
@@ -120,12 +107,10 @@ def summary(samples):
     """The columns that come of repetition."""
     step = quartiles([sample["median"] for sample in samples])
     whole = quartiles([sample["seconds"] for sample in samples])
-    tails = [sample["p99"] for sample in samples if "p99" in sample]
     return {"repetitions": len(samples),
             "microseconds": step[1], "microseconds_q1": step[0], "microseconds_q3": step[2],
-            "microseconds_p99": statistics.median(tails) if tails else None,
+            "microseconds_p99": statistics.median(sample["p99"] for sample in samples),
             "seconds": whole[1], "seconds_q1": whole[0], "seconds_q3": whole[2],
-            "iterations": samples[-1].get("iterations"), "rejected": samples[-1].get("rejected"),
             "run_memory": max(sample["memory"] for sample in samples)}
 
 
@@ -144,9 +129,12 @@ def seconds(scene, run):
     return scene.count(run.step) * scene.step_cost if BY_NAME[run.method].program == "full" else 0.15
 
 
-def rounds(scene, run, form):
-    """About how often it is timed after it was judged."""
-    return min(form.repetitions, int(form.seconds / seconds(scene, run)))
+def round_seconds(scene, run, form):
+    """About what timing it once takes."""
+    whole = seconds(scene, run)
+    if BY_NAME[run.method].program == "full" and scene.analysis == "time":
+        return 0.5 + whole / form.repetitions
+    return whole
 
 
 def reference_seconds(scene):
@@ -158,4 +146,5 @@ def reference_seconds(scene):
 def expected(scene, runs, form):
     if not runs:
         return 0.0
-    return reference_seconds(scene) + sum(seconds(scene, run) * (1 + rounds(scene, run, form)) for run in runs)
+    return reference_seconds(scene) + sum(
+        seconds(scene, run) + form.repetitions * round_seconds(scene, run, form) for run in runs)

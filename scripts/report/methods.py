@@ -95,13 +95,12 @@ def step_sweep(scene, method):
 class Form:
     """How much of the plan is run, and how often."""
     repetitions: int
-    seconds: float  # after which a run is not repeated again
     limits: Limits = Limits()
 
 
 FORMS = {
-    "full": Form(10, 8.0),
-    "quick": Form(3, 3.0, Limits(sizes=((4, 0), (8, 0), (4, 8), (4, 14), (8, 20), (0, 10)),
+    "full": Form(10),
+    "quick": Form(3, Limits(sizes=((4, 0), (8, 0), (4, 8), (4, 14), (8, 20), (0, 10)),
                                  integrators=("exact", "avf", "newmark", "implicit-euler"))),
 }
 

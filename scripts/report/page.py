@@ -16,10 +16,11 @@ td:first-child,th:first-child{text-align:left}th{background:#f5f5f5}svg{max-widt
 dt{font-weight:bold}dd{margin:0 0 .5em 1.5em}caption{text-align:left;font-weight:bold;padding:.5em 0}"""
 
 INTRODUCTION = """Every error is against the full model on the same mesh at a refined step. Times are of stepping alone:
-medians of repetitions in which all runs take turns, one BLAS thread; reduced models run on one core, the full model and
-the precomputation on as many ranks as stands beside the scene. Compare times at equal error only: the time to reach
-1 %. Break-even steps are those after which a reduced model's precomputation is paid back, against the full model at the
-same step."""
+medians and quartiles of rounds in which all runs take turns, one BLAS thread; reduced models run on one core, the full
+model and the precomputation on as many ranks as stands beside the scene. The full model moves once more in all: each
+round times one part of its motion, from where the last one stopped, and its steps but the first, which analyses the
+matrix besides, stand for the others. Compare times at equal error only: the time to reach 1 %. Break-even steps are
+those after which a reduced model's precomputation is paid back, against the full model at the same step."""
 
 
 def cell(text):

@@ -1,5 +1,6 @@
 """One run: how wrong it is, once; what it costs, many times over."""
 import csv
+import dataclasses
 import math
 import shutil
 
@@ -30,13 +31,14 @@ def compare(bench, reference, run, key, row):
     else:
         row |= model_columns(bench, run)
         folder = move(bench, run, bench.folder / "runs" / key)
+    micros, row["iterations"], row["rejected"] = step_costs(folder)
     times, u = reference.body.frames(folder / ("full.h5" if full else "motion.h5"))
     error = errors.norms(u - reference.u, reference.body.mass)
     row |= {"error_integrated": errors.integrated(error, reference.size, times),
             "error_max": errors.largest(error, reference.size)}
     if not row["error_max"] <= LOST:
         reason = f"the motion is lost: its error grows to {row['error_max']:.1e} of the largest displacement"
-        raise programs.Failed(reason, 0.0 if full else 1e-6 * float(step_costs(folder)[0].sum()))
+        raise programs.Failed(reason, 1e-6 * float(micros.sum()))
     if full:
         row |= {"error_basis": 0.0, "error_time": row["error_integrated"], "energy_balance": energy_balance(folder)}
     else:
@@ -95,23 +97,38 @@ def step_costs(folder):
             sum(int(row["rejected"]) for row in rows))
 
 
-def sample(bench, run, key):
-    """What one repetition costs: seconds of stepping, µs a step (median, p99), Newton iterations, rejected, memory."""
-    if BY_NAME[run.method].program == "full":
-        folder, steps = bench.folder / "timed" / key, bench.scene.count(run.step)
-        cost = bench.full_once(bench.problem(), bench.toml(run.step, run.integrator), folder, steps, steps)
-        shutil.rmtree(folder)
-        return full_sample(cost)
+def sample(bench, run, key, repetition, repetitions):
+    """What one repetition costs: seconds of the whole motion's stepping, µs a step (median, p99), memory."""
     folder = bench.folder / "timed" / key
+    if BY_NAME[run.method].program == "full":
+        return part(bench, run, folder, repetition, repetitions)
     done = bench.reduced(bench.model(run.method, run.knobs)[0], run.step, run.integrator, run.precision, folder,
                          ["--frames", 0])
-    micros, iterations, rejected = step_costs(folder)
+    costs = step_costs(folder)[0]
     shutil.rmtree(folder)
-    return {"seconds": 1e-6 * float(micros.sum()), "median": float(np.median(micros)),
-            "p99": float(np.percentile(micros, 99)), "iterations": iterations, "rejected": rejected,
-            "memory": done.memory}
+    return spent(costs, len(costs), done.memory)
 
 
-def full_sample(cost):
-    """ritz-full says what its steps took in all: their mean stands for the median."""
-    return {"seconds": cost["seconds"], "median": 1e6 * cost["seconds"] / cost["steps"], "memory": cost["memory"]}
+def part(bench, run, folder, repetition, repetitions):
+    """The full model takes too long to move that often: every round times one part of its motion, from where the last
+    one stopped, and takes it for the whole; all but its first step, which analyses the matrix besides. Statics have no
+    parts."""
+    steps = bench.scene.count(run.step)
+    parts = 1 if bench.scene.analysis == "static" else min(repetitions, steps // 2)
+    index = repetition % parts
+    end = bench.scene.end * ((index + 1) * steps // parts) / steps
+    until = dataclasses.replace(bench, scene=dataclasses.replace(bench.scene, end=end))
+    folder.mkdir(parents=True, exist_ok=True)
+    before = ["-restart", folder / f"{index - 1}.h5"] if index else []
+    done = bench.full_once(until.toml(run.step, run.integrator), folder / f"{index}.h5", ["-frames", 0, *before])
+    costs = step_costs(folder)[0]
+    costs = costs[1:] if len(costs) > 1 else costs
+    if repetition + 1 == repetitions:
+        shutil.rmtree(folder)
+    return spent(costs, steps, done.memory)
+
+
+def spent(costs, steps, memory):
+    """`costs`: µs of each step that was timed, of `steps`."""
+    return {"seconds": 1e-6 * float(np.mean(costs)) * steps, "median": float(np.median(costs)),
+            "p99": float(np.percentile(costs, 99)), "memory": memory}

@@ -5,10 +5,10 @@
 #include "ritz/app/checksums.hpp"
 #include "ritz/app/full_recorder.hpp"
 #include "ritz/app/full_start.hpp"
+#include "ritz/app/outputs.hpp"
 #include "ritz/app/progress.hpp"
 #include "ritz/app/resources.hpp"
 #include "ritz/app/warnings.hpp"
-#include "ritz/app/write_model.hpp"
 #include "ritz/base/counted.hpp"
 #include "ritz/base/shown.hpp"
 #include "ritz/scene/frames.hpp"
@@ -28,40 +28,42 @@ std::string inside_out(std::int64_t cells) {
   return cells == 0 ? "" : "\n" + counted(cells, "cell is", "cells are") + " inside out at the end";
 }
 
-/// What takes the states, and where it is told how far the run is.
-using Reached = std::function<void(const stages::DynamicState&)>;
+/// What takes the state after each step.
+using Reached = std::function<void(const stages::DynamicState&, const Effort& so_far)>;
 
 std::string run_statics(stages::FullModel& model, const scene::Scene& scene, const stages::DynamicState& start,
-                        const stages::LoadAt& load, const Reached& reached) {
+                        const stages::LoadAt& load, FullRecorder& recorder, const Reached& reached) {
   const stages::StaticOptions options{.steps = std::get<scene::Static>(scene.analysis).steps};
   stages::DynamicState state = start;
-  reached(state);
-  const auto report =
-      stages::full_statics(model, options, {start.t, start.u, 0}, load, [&](const stages::StaticState& now) {
-        state.t = now.fraction;
-        state.u = now.u;
-        state.energies.elastic = now.energy;
-        reached(state);
-      });
+  recorder.start(state);
+  const auto report = stages::full_statics(model, options, {start.t, start.u, 0}, load,
+                                           [&](const stages::StaticState& now, const stages::StaticReport& so_far) {
+                                             state.t = now.fraction;
+                                             state.u = now.u;
+                                             state.energies.elastic = now.energy;
+                                             reached(state, {so_far.newton_iterations, so_far.halvings});
+                                           });
   return std::to_string(report.newton_iterations) + " Newton iterations, " + std::to_string(report.halvings) +
          " load increments halved" + inside_out(report.inverted_cells);
 }
 
 std::string run_dynamics(stages::FullModel& model, const scene::Scene& scene, const stages::DynamicState& start,
-                         std::int64_t steps, const stages::LoadAt& load, const Reached& reached) {
+                         std::int64_t steps, const stages::LoadAt& load, FullRecorder& recorder,
+                         const Reached& reached) {
   const auto& time = std::get<scene::Time>(scene.analysis);
   const stages::DynamicOptions options{
       .integrator = integrator_of(time), .alpha = scene.damping.alpha, .beta = scene.damping.beta, .dt = time.step};
   const auto first = start.t > 0 ? start : stages::start_dynamics(model, options, start, load);
-  double largest = 0;
-  stages::DynamicState last;
-  const auto watch = [&](const stages::DynamicState& state) {
-    largest = std::max(largest, state.energies.kinetic + state.energies.elastic);
-    last = state;
-    reached(state);
-  };
-  watch(first);
-  const auto report = stages::full_dynamics(model, options, first, steps, load, watch);
+  const auto energy = [](const stages::DynamicState& state) { return state.energies.kinetic + state.energies.elastic; };
+  double largest = energy(first);
+  stages::DynamicState last = first;
+  recorder.start(first);
+  const auto report = stages::full_dynamics(model, options, first, steps, load,
+                                            [&](const stages::DynamicState& state, const stages::DynamicReport& now) {
+                                              largest = std::max(largest, energy(state));
+                                              last = state;
+                                              reached(state, {now.newton_iterations, now.rejected});
+                                            });
   return std::to_string(report.newton_iterations) + " Newton iterations, " + std::to_string(report.rejected) +
          " steps rejected and halved\nenergy balance: at most " + shown(report.largest_drift, 3) +
          " J of E - E0 - W + Q, the largest energy being " + shown(largest, 3) + " J" +
@@ -73,7 +75,7 @@ std::string run_dynamics(stages::FullModel& model, const scene::Scene& scene, co
 void simulate(MPI_Comm comm, const config::Config& config) {
   Progress progress(comm, config.voice);
   const auto scene = read_full_scene(comm, config.full.scene);
-  refuse_unwritable(comm, config.output);
+  refuse_outputs(comm, config);
   const auto mesh = progress.stage("mesh", [&] { return mesh::read(comm, config.source); });
   const auto dofs = mesh::number(mesh, config.supports, config.file_supports);
   const auto materials = config::region_materials(config, mesh.regions);
@@ -90,14 +92,15 @@ void simulate(MPI_Comm comm, const config::Config& config) {
   auto model = stages::full_model(mesh, dofs, full, linear_solver(config, dofs));
   FullRecorder recorder(config, scene, mesh, dofs, materials, plan(scene, times, frames), frames);
   stages::DynamicState last = start;
-  const auto reached = [&](const stages::DynamicState& state) {
-    recorder.record(state);
+  const Reached reached = [&](const stages::DynamicState& state, const Effort& so_far) {
+    recorder.step(state, so_far);
     progress.update("", (state.t - start.t) / (times.back() - start.t));
     last = state;
   };
   const auto summary = progress.stage("run", [&] {
-    return std::holds_alternative<scene::Time>(scene.analysis) ? run_dynamics(model, scene, start, steps, load, reached)
-                                                               : run_statics(model, scene, start, load, reached);
+    return std::holds_alternative<scene::Time>(scene.analysis)
+               ? run_dynamics(model, scene, start, steps, load, recorder, reached)
+               : run_statics(model, scene, start, load, recorder, reached);
   });
   progress.stage("write", [&] { recorder.commit(last, problem); });
   progress.line(std::to_string(steps) + " steps of " + std::to_string(dofs.total) + " degrees of freedom: " + summary +

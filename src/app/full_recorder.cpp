@@ -32,6 +32,18 @@ FullRecorder::FullRecorder(const config::Config& config, const scene::Scene& sce
   const auto folder = config.output.parent_path();
   if (kind_ == StateKind::moving) energy_file_.emplace(mesh.comm, folder / "energy.csv");
   if (!scene.probes.empty()) probe_file_.emplace(mesh.comm, folder / "probes.csv");
+  if (config.full.timing) timing_.emplace(mesh.comm, *config.full.timing);
+}
+
+void FullRecorder::start(const stages::DynamicState& state) {
+  record(state);
+  if (timing_) timing_->begin_step();
+}
+
+void FullRecorder::step(const stages::DynamicState& state, const Effort& so_far) {
+  if (timing_) timing_->end_step(state.t, so_far);
+  record(state);
+  if (timing_) timing_->begin_step();
 }
 
 void FullRecorder::record(const stages::DynamicState& state) {
@@ -64,9 +76,11 @@ void FullRecorder::commit(const stages::DynamicState& last, const std::string& p
              problem_checksum);
   if (energy_file_) energy_file_->write(energy_rows_);
   if (probe_file_) probe_file_->write(probe_rows_);
+  if (timing_) timing_->write();
   file_.commit();
   if (energy_file_) energy_file_->publish();
   if (probe_file_) probe_file_->publish();
+  if (timing_) timing_->publish();
 }
 
 }  // namespace ritz::app

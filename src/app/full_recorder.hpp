@@ -1,6 +1,8 @@
-// Everything that a run of ritz-full leaves behind: full.h5, full.xdmf, probes.csv and, of a motion, energy.csv.
+// Everything that a run of ritz-full leaves behind: full.h5, full.xdmf, probes.csv and, of a motion, energy.csv; what
+// its steps cost, when asked.
 #pragma once
 #include "ritz/app/full_file.hpp"
+#include "ritz/app/full_timing.hpp"
 #include "ritz/app/scene_loads.hpp"
 #include "ritz/stages/full_dynamics.hpp"
 
@@ -13,18 +15,23 @@ class FullRecorder {
   FullRecorder(const config::Config& config, const scene::Scene& scene, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
                const std::vector<fem::StVK>& materials, const FullPlan& plan, std::vector<std::int64_t> frame_states);
 
-  /// *Collective*.
-  void record(const stages::DynamicState& state);
+  /// The state that the run begins with. *Collective*.
+  void start(const stages::DynamicState& state);
+  /// The state that a step ends with. *Collective*.
+  void step(const stages::DynamicState& state, const Effort& so_far);
 
   /// Stores `last` for a restart and gives all files their names. *Collective*.
   void commit(const stages::DynamicState& last, const std::string& problem_checksum);
 
  private:
+  void record(const stages::DynamicState& state);
+
   const mesh::Mesh& mesh_;
   const mesh::Dofs& dofs_;
   SceneProbes probes_;
   FullFile file_;
   std::optional<PendingFile> probe_file_, energy_file_;
+  std::optional<FullTiming> timing_;
   StateKind kind_;
   std::string probe_rows_, energy_rows_;
   std::vector<std::int64_t> frame_states_;

@@ -5,6 +5,7 @@
 #include "ritz/app/frequencies.hpp"
 #include "ritz/app/full_start.hpp"
 #include "ritz/app/geometry.hpp"
+#include "ritz/app/outputs.hpp"
 #include "ritz/app/plan.hpp"
 #include "ritz/app/progress.hpp"
 #include "ritz/app/reduce.hpp"
@@ -30,7 +31,7 @@ std::string size_line(const mesh::Mesh& mesh, const mesh::Dofs& dofs) {
 
 void reduce(MPI_Comm comm, const config::Config& config) {
   Progress progress(comm, config.voice);
-  if (config.goal == config::Goal::model) refuse_unwritable(comm, config.output);
+  if (config.goal == config::Goal::model) refuse_outputs(comm, config);
   const auto scene = config.accuracy ? std::optional(read_scene(comm, config.accuracy->scene)) : std::nullopt;
   const auto mesh = progress.stage("mesh", [&] { return mesh::read(comm, config.source); });
   const auto dofs = mesh::number(mesh, config.supports, config.file_supports);

@@ -47,7 +47,7 @@ std::optional<stages::StaticPath> static_path(const config::Config& config, cons
     stages::full_statics(
         model, {.steps = levels}, {0, petsc::Tall::Zero(dofs.owned, 1), 0},
         [&](double fraction) -> petsc::Tall { return fraction * most; },
-        [&](const stages::StaticState& state) {
+        [&](const stages::StaticState& state, const stages::StaticReport&) {
           path.loads.col(level) = state.fraction * most;
           path.truth.col(level++) = state.u;
           progress.update("", state.fraction);

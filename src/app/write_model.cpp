@@ -1,7 +1,6 @@
 #include "ritz/app/write_model.hpp"
 
 #include <hdf5.h>
-#include <unistd.h>
 
 #include <algorithm>
 
@@ -78,19 +77,6 @@ void write_columns(format::ModelWriter& out, MPI_Comm comm, const FileOrder& ord
 }
 
 }  // namespace
-
-void refuse_unwritable(MPI_Comm comm, const std::filesystem::path& output) {
-  parallel::on_root(comm, [&] {
-    const auto folder = output.has_parent_path() ? output.parent_path() : std::filesystem::path(".");
-    if (!std::filesystem::is_directory(folder))
-      throw InputError("option -output " + output.string() + ": there is no folder " + folder.string());
-    if (std::filesystem::is_directory(output))
-      throw InputError("option -output " + output.string() + " is a folder; name a file such as model.h5");
-    if (access(folder.c_str(), W_OK) != 0)
-      throw InputError("option -output " + output.string() + ": the folder " + folder.string() +
-                       " cannot be written to");
-  });
-}
 
 void write_model(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
                  const std::vector<fem::StVK>& materials, const FileOrder& order, const Results& results,

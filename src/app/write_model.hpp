@@ -21,9 +21,6 @@ struct Results {
   const stages::Figures& figures;
 };
 
-/// Throws InputError on all ranks when a file cannot be made where `output` says. *Collective*.
-void refuse_unwritable(MPI_Comm comm, const std::filesystem::path& output);
-
 /// Writes the model and, beside it, frequencies.csv. *Collective*.
 void write_model(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
                  const std::vector<fem::StVK>& materials, const FileOrder& order, const Results& results,

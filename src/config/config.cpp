@@ -172,6 +172,7 @@ FullOptions read_full(Database& options, Program program) {
   full.restart = options.text("restart");
   full.frames = read_count(options, "frames");
   full.every = read_count(options, "every");
+  full.timing = options.text("timing");
   if (program == Program::full && full.frames && full.every)
     throw InputError("options -frames and -every say the same thing in two ways: leave out one or the other");
   return full;

@@ -34,6 +34,7 @@ struct FullOptions {
   std::filesystem::path scene;
   std::optional<std::filesystem::path> restart;
   std::optional<std::int64_t> frames, every;
+  std::optional<std::filesystem::path> timing;  ///< a table of what each step cost
 };
 
 /// A basis chosen by its error on the static load path of a scene.

@@ -52,6 +52,7 @@ constexpr std::array entries = std::to_array<OptionEntry>({
     {"restart", "FULL.h5", "", "none", "ritz-full: go on from the last state of an earlier run of the same problem"},
     {"frames", "N", "0 ... ", "all states, at most 201", "ritz-full: displacement frames, evenly spread"},
     {"every", "N", "1 ... ", "none", "ritz-full: a displacement frame every so many steps, in place of -frames"},
+    {"timing", "FILE.csv", "", "none", "ritz-full: a table of what each step cost, without recording"},
 });
 
 constexpr std::array solvers = std::to_array<std::string_view>({

@@ -169,14 +169,15 @@ DynamicState start_dynamics(FullModel& model, const DynamicOptions& options, Dyn
 }
 
 DynamicReport full_dynamics(FullModel& model, const DynamicOptions& options, DynamicState state, std::int64_t steps,
-                            const LoadAt& load, const std::function<void(const DynamicState&)>& reached) {
+                            const LoadAt& load,
+                            const std::function<void(const DynamicState&, const DynamicReport&)>& reached) {
   Motion motion(model, options, load);
   const double start = state.t;
   for (std::int64_t n = 1; n <= steps; ++n) {
     motion.advance(state, options.dt, 0);
     state.t = start + static_cast<double>(n) * options.dt;
     motion.report.largest_drift = std::max(motion.report.largest_drift, std::abs(state.energies.drift()));
-    reached(state);
+    reached(state, motion.report);
   }
   return motion.report;
 }

@@ -47,9 +47,10 @@ struct DynamicReport {
 /// M a = F(t) − D v − f(u). *Collective*.
 DynamicState start_dynamics(FullModel& model, const DynamicOptions& options, DynamicState state, const LoadAt& load);
 
-/// `steps` steps of Δt; `reached` after each. A step that does not converge is rejected and halved, never accepted.
+/// `steps` steps of Δt; `reached` after each, with the report so far. A step that does not converge is rejected and halved, never accepted.
 /// Throws NumericalError that names its time and residual when halving does not help. *Collective*.
 DynamicReport full_dynamics(FullModel& model, const DynamicOptions& options, DynamicState state, std::int64_t steps,
-                            const LoadAt& load, const std::function<void(const DynamicState&)>& reached);
+                            const LoadAt& load,
+                            const std::function<void(const DynamicState&, const DynamicReport&)>& reached);
 
 }  // namespace ritz::stages

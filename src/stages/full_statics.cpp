@@ -111,7 +111,7 @@ class Loading {
 }  // namespace
 
 StaticReport full_statics(FullModel& model, const StaticOptions& options, StaticState start, const LoadAt& load,
-                          const std::function<void(const StaticState&)>& reached) {
+                          const std::function<void(const StaticState&, const StaticReport&)>& reached) {
   refuse_loose(model);
   Loading loading(model, options, load);
   loading.report.inverted_cells = inverted_cells(model, start.u);
@@ -119,7 +119,7 @@ StaticReport full_statics(FullModel& model, const StaticOptions& options, Static
     const double fraction = static_cast<double>(step) / options.steps;
     if (fraction <= start.fraction * (1 + 1e-9)) continue;
     loading.advance(start, fraction, 0);
-    reached(start);
+    reached(start, loading.report);
   }
   return loading.report;
 }

@@ -13,7 +13,7 @@ from report.methods import Form, plan
 from report.progress import Progress
 from report.scenes import Limits
 
-FORM = Form(3, 100.0, Limits(methods=("linear", "derivatives"), sweeps=("basis",)))
+FORM = Form(3, Limits(methods=("linear", "derivatives"), sweeps=("basis",)))
 RUNS = len(plan(scenes.QUICK[0], FORM))
 GOOD = RUNS - 1  # one of them fails
 FOUND = SimpleNamespace(body=SimpleNamespace(facts={"cells": 7}), facts={"floor": 1e-3})
@@ -41,10 +41,10 @@ class Campaigns(unittest.TestCase):
             return {"status": "failed", "reason": "the step does not converge", "seconds": 0.5}, []
         return {"status": "done", "reason": "", "error_integrated": 0.1}, [(0.0, 0.0), (1.0, 0.1)]
 
-    def sample(self, bench, run, key):
+    def sample(self, bench, run, key, repetition, repetitions):
         self.count(self.timed, key)
         n = len(self.timed)
-        return {"seconds": 1.0 * n, "median": 10.0 * n, "p99": 20.0, "iterations": 5, "rejected": 0, "memory": 1e6}
+        return {"seconds": 1.0 * n, "median": 10.0 * n, "p99": 20.0, "memory": 1e6}
 
     def run_it(self, program="build"):
         chosen = (scenes.QUICK[0],)
@@ -98,12 +98,6 @@ class Campaigns(unittest.TestCase):
         self.run_it("another build")
         self.assertEqual(len(self.judged), 2 * RUNS)
         self.assertEqual({one["program"] for one in self.rows()}, {"another build"})
-
-    def test_long_runs_are_repeated_less(self):
-        samples = lambda n, seconds: [{"seconds": seconds}] * n  # noqa: E731
-        self.assertFalse(campaign.enough(samples(1, 99.0), 1, FORM))
-        self.assertTrue(campaign.enough(samples(1, 101.0), 1, FORM))
-        self.assertTrue(campaign.enough(samples(2, 1.0), 1, FORM))
 
 
 class Programs(unittest.TestCase):

@@ -2,6 +2,7 @@
 import dataclasses
 import sys
 import tempfile
+import tomllib
 import unittest
 from pathlib import Path
 from types import SimpleNamespace
@@ -35,6 +36,27 @@ class Trials(unittest.TestCase):
         self.assertEqual(made, [(0.5, scene.steps[-1]), (2.0, scene.steps[-1])])
         self.assertEqual(places[0], places[1])
         self.assertNotEqual(places[0], places[2])
+
+    def test_the_full_model_is_timed_in_parts(self):
+        scene = dataclasses.replace(scenes.QUICK[0], end=1.3)
+        run = next(run for run in plan(scene, FORMS["quick"]) if run.method == "full" and run.step == scene.steps[0])
+        ran = []
+
+        def full_once(bench, path, output, words):
+            ran.append((tomllib.loads(path.read_text())["time"]["end"], output.name, words[2:]))
+            (output.parent / "timing.csv").write_text("t,microseconds,iterations,rejected\n0.02,30,2,0\n0.04,50,2,0\n")
+            return SimpleNamespace(memory=1.0)
+
+        with tempfile.TemporaryDirectory() as folder, mock.patch.object(Bench, "full_once", full_once):
+            bench = Bench(scene, Path("bin"), Path(folder) / scene.name)
+            samples = [trial.sample(bench, run, "key", repetition, 3) for repetition in range(3)]
+            timed = bench.folder / "timed" / "key"
+            self.assertEqual(ran, [(1.3 * 21 / 65, "0.h5", []), (1.3 * 43 / 65, "1.h5", ["-restart", timed / "0.h5"]),
+                                   (1.3, "2.h5", ["-restart", timed / "1.h5"])])
+            self.assertFalse(timed.exists())
+        for sample in samples:
+            self.assertAlmostEqual(sample["seconds"], 50e-6 * 65)
+            self.assertEqual(sample["median"], 50)
 
 
 if __name__ == "__main__":

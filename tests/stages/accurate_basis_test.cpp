@@ -30,7 +30,7 @@ class AccurateBasis : public testing::TestWithParam<const char*> {
     stages::full_statics(
         model, {.steps = 2}, {0, Tall::Zero(r.p.dofs.owned, 1), 0},
         [&](double fraction) -> Tall { return fraction * tip_load(); },
-        [&](const stages::StaticState& state) {
+        [&](const stages::StaticState& state, const stages::StaticReport&) {
           const Index level = state.fraction < .75 ? 0 : 1;
           path.loads.col(level) = state.fraction * tip_load();
           path.truth.col(level) = state.u;

@@ -96,7 +96,7 @@ TEST(FullStatics, AnEndMomentClosesTheCircle) {
     stages::full_statics(
         run.model, {.steps = static_cast<int>(std::round(8 * t / pi))}, last,
         [&, angle = t](double fraction) { return moment(fraction * angle); },
-        [&](const stages::StaticState& now) { last = now; });
+        [&](const stages::StaticState& now, const stages::StaticReport&) { last = now; });
     const auto tip = run.mean(last.u, "xmax");
     EXPECT_NEAR(tip.x(), u, .01 * std::abs(u)) << t;
     EXPECT_NEAR(tip.z(), v, .01 * (v > 0 ? v : 1)) << t;

@@ -26,7 +26,7 @@ std::string complaint(
   try {
     stages::full_statics(
         run.model, {.steps = steps}, {0, run.zeros(), 0}, [&](double t) -> petsc::Tall { return t * force; },
-        [&](const stages::StaticState&) { reached(); });
+        [&](const stages::StaticState&, const stages::StaticReport&) { reached(); });
   } catch (const NumericalError& error) {
     return error.what();
   }

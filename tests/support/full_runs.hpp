@@ -19,7 +19,7 @@ struct FullRun {
     petsc::Tall u;
     stages::full_statics(
         model, {.steps = steps}, {0, zeros(), 0}, [&](double t) -> petsc::Tall { return t * F; },
-        [&](const stages::StaticState& state) { u = state.u; });
+        [&](const stages::StaticState& state, const stages::StaticReport&) { u = state.u; });
     return u;
   }
 
@@ -39,7 +39,7 @@ struct FullRun {
     const auto first = stages::start_dynamics(model, options, start, load);
     stages::DynamicState last = first;
     const auto done = stages::full_dynamics(model, options, first, steps, load,
-                                            [&](const stages::DynamicState& state) { last = state; });
+                                            [&](const stages::DynamicState& state, const stages::DynamicReport&) { last = state; });
     if (report) *report = done;
     return last;
   }

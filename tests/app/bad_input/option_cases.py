@@ -139,6 +139,8 @@ MATERIALS = [
 OUTPUT = [
     bad("an output in a folder that is not there", "-output a/b/model.h5", "-output a/b/model.h5", "folder"),
     bad("an output that is a folder", "-output a", "-output a", "folder", files={"a/kept": "1"}),
+    bad("an output over a snapshot file", "-output a.npy -snapshots a.npy -basis 2", "-output a.npy", "overwrite",
+        files={"a.npy": "1"}),
     bad("an output through a file", "-output a/model.h5", "-output a/model.h5", files={"a": "1"}),
     bad("an output in a place that takes no files", "-output /proc/model.h5", "/proc/model.h5"),
     bad("an earlier output", "-fix xmni", "-fix xmni", files={"model.h5": "earlier", "frequencies.csv": "earlier"}),
