@@ -13,7 +13,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parent))
 from report import compare, diagram, lean, table  # noqa: E402
 
-LONGEST = 110  # letters of a cell
+LONGEST = 260  # letters of a cell
 
 
 def markdown(heads, lines):
@@ -38,7 +38,7 @@ def lean_rows(folder):
     lines = [[row["kind"], row["stages"] or "–", scaled(row, "seconds", 1), scaled(row, "memory_bytes", 1e6),
               scaled(row, "file_bytes", 1e6), scaled(row, "load_seconds", 1e-3), scaled(row, "resident_bytes", 1e6)]
              for row in lean.read(folder / "lean.csv")]
-    return markdown(["kind of scene", "stages that ran", "s", "memory, MB", "file, MB", "load and one step, ms",
+    return markdown(["kind of scene", "stages that ran", "s", "memory, MB", "file, MB", "load, one step, a frame, ms",
                      "resident, MB"], lines)
 
 

@@ -123,7 +123,7 @@ class Bench:
                 training, snapshots = spent["wall"], ["-snapshots", motion / "full.h5"]
             done = programs.run(self.bin / "ritz-reduce", [*self.problem(), *words, *snapshots, "-output", path],
                                 self.scene.ranks)
-            cost = cost_of(path, training, done, words)
+            cost = cost_of(path, training, done, [*self.problem(), *words, *snapshots])
             save(folder / "cost.json", cost)
         return path, cost
 
@@ -132,5 +132,5 @@ class Bench:
         folder.mkdir(parents=True, exist_ok=True)
         single = ["--single"] if precision == "single" else []
         words = [model, "--scene", self.toml(step, integrator), "--output", folder / "motion.h5", "--timing",
-                 folder / "timing.csv", "--quiet", *single, *frames]
+                 folder / "timing.csv", *single, *frames]
         return programs.run(self.bin / "ritz-run", words)

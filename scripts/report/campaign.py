@@ -61,12 +61,14 @@ def run_scene(campaign, bench, runs):
 def judged(campaign, bench, found, run, key):
     path = state_path(bench, key)
     state = load(path)
-    if state is None:
+    if state is not None:
+        campaign.progress.skip(seconds(bench.scene, run))
+    else:
         campaign.progress.say(f"{bench.scene.name}: {describe(run)}")
         row, over_time = trial.judge(bench, found, run, key)
         state = {"row": row, "over_time": over_time, "samples": []}
         save(path, state)
-    campaign.progress.add(seconds(bench.scene, run))
+        campaign.progress.add(seconds(bench.scene, run))
     return state
 
 
@@ -80,7 +82,9 @@ def time_round(campaign, bench, runs, states, repetition):
             campaign.progress.say(f"{bench.scene.name}: {describe(runs[key])}, round {repetition + 1}")
             state["samples"].append(trial.sample(bench, runs[key], key, repetition, campaign.form.repetitions))
             save(state_path(bench, key), state)
-        campaign.progress.add(round_seconds(bench.scene, runs[key], campaign.form))
+            campaign.progress.add(round_seconds(bench.scene, runs[key], campaign.form))
+        else:
+            campaign.progress.skip(round_seconds(bench.scene, runs[key], campaign.form))
 
 
 def finish(campaign, bench, found, run, key, state):
@@ -104,9 +108,11 @@ def quartiles(values):
 
 
 def summary(samples):
-    """The columns that come of repetition."""
+    """The columns that come of repetition. The parts of a motion take their own time: all of them take their mean."""
     step = quartiles([sample["median"] for sample in samples])
     whole = quartiles([sample["seconds"] for sample in samples])
+    if any(sample["part"] for sample in samples):
+        whole[1] = statistics.fmean(sample["seconds"] for sample in samples)
     return {"repetitions": len(samples),
             "microseconds": step[1], "microseconds_q1": step[0], "microseconds_q3": step[2],
             "microseconds_p99": statistics.median(sample["p99"] for sample in samples),
@@ -132,9 +138,7 @@ def seconds(scene, run):
 def round_seconds(scene, run, form):
     """About what timing it once takes."""
     whole = seconds(scene, run)
-    if BY_NAME[run.method].program == "full" and scene.analysis == "time":
-        return 0.5 + whole / form.repetitions
-    return whole
+    return whole / trial.parts_of(scene, run, form.repetitions) if BY_NAME[run.method].program == "full" else whole
 
 
 def reference_seconds(scene):

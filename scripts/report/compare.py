@@ -54,16 +54,36 @@ def reach(rows, titles, error):
     return (f"time of stepping to {percent(error)}", *(titles[name] for name in names), "the reference's floor"), lines
 
 
+WORTH_PAYING = 0.05  # the error up to which a model may pay back
+
+
 def break_even(row, rows):
     """After how many steps the making of the reduced model is paid back, against the full model with AVF at the same
-    step (or the nearest that was run); NaN where the full model is not slower, or was not run."""
+    step (or the nearest that was run); NaN where the model is more than WORTH_PAYING off, and where the full model is
+    not slower, or was not run."""
     full = [other for other in done(rows) if other["method"] == "full" and other["scene"] == row["scene"]
             and other["integrator"] in ("avf", "")]
-    if not full or row["status"] != "done" or math.isnan(row["precompute_seconds"]):
+    wrong = row["status"] != "done" or row["error_integrated"] > WORTH_PAYING
+    if not full or wrong or math.isnan(row["precompute_seconds"]):
         return math.nan
     beside = min(full, key=lambda other: abs(math.log(other["step"] / row["step"])))
     saved = 1e-6 * (beside["microseconds"] - row["microseconds"])
     return math.ceil(row["precompute_seconds"] / saved) if saved > 0 else math.nan
+
+
+def enough_until(rows, method, error):
+    """The factor of the load up to which a method's best size stays below an error, by a straight line between the
+    factors that were run, both in logarithms; NaN where it does at all of them, or at none."""
+    best = {}
+    for row in done(rows):
+        if row["method"] == method:
+            factor = row["load_factor"]
+            best[factor] = min(best.get(factor, math.inf), row["error_integrated"])
+    line = sorted(best.items())
+    for (low, below), (high, above) in zip(line, line[1:]):
+        if below <= error < above:
+            return low * (high / low) ** (math.log(error / below) / math.log(above / below))
+    return math.nan
 
 
 def scenes(rows):

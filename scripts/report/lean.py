@@ -14,6 +14,7 @@ MATERIAL = ("-material_young", "1e6", "-material_poisson", "0.3", "-material_den
 BEAMS = {"quick": "box:1,0.1,0.06/16,3,2/tet10", "full": "box:1,0.1,0.06/40,6,4/tet10"}
 STATIC = "[static]\nsteps = 4\n[[load]]\nset = 'xmax'\ntotal = [0, 0, -1]\n[[probe]]\nname = 'tip'\nset = 'xmax'\n"
 ONE_STEP = STATIC.replace("[static]\nsteps = 4", "[time]\nstep = 1e-3\nend = 1e-3")
+SCENES = {"one_step.toml": ONE_STEP, "static.toml": STATIC, "damped.toml": f"{ONE_STEP}[damping]\nalpha = 0.5\n"}
 RANKS, REPETITIONS = 2, 10
 COLUMNS = ("program", "form", "kind", "options", "stages", "groups", "seconds", "memory_bytes", "file_bytes",
            "load_seconds", "resident_bytes")
@@ -24,15 +25,19 @@ class Kind:
     title: str
     options: tuple  # ritz-reduce's
     run: tuple = ()  # ritz-run's, beyond the model and the scene
+    scene: str = "one_step.toml"
 
 
 HELD = ("-fix", "xmin")
 NONLINEAR = (*HELD, "-modes", "20", "-derivatives", "10", "-basis", "20", "-polynomial")
 KINDS = (
-    Kind("linear", (*HELD, "-modes", "20")),
+    Kind("linear: one support set, no damping", (*HELD, "-modes", "20")),
+    Kind("linear, two support sets", ("-fix", "xmin,xmax", "-modes", "20")),
+    Kind("linear, damped", (*HELD, "-modes", "20"), scene="damped.toml"),
     Kind("linear, surface output", (*HELD, "-modes", "20", "-surface_only")),
     Kind("linear, free body", ("-fix", "none", "-modes", "20")),
-    Kind("statics only, from full solutions", (*HELD, "-modes", "0", "-snapshots", "static.h5", "-polynomial")),
+    Kind("statics only, from full solutions", (*HELD, "-modes", "0", "-snapshots", "static.h5", "-polynomial"),
+         scene="static.toml"),
     Kind("nonlinear", NONLINEAR),
     Kind("nonlinear, surface output", (*NONLINEAR, "-surface_only")),
     Kind("nonlinear, run as linear", NONLINEAR, ("--linear",)),
@@ -40,9 +45,8 @@ KINDS = (
 )
 
 
-def reduced(bin_folder, folder, body, kind):
+def reduced(bin_folder, folder, model, body, kind):
     """Reduces, and reads off the model what that took."""
-    model = folder / "model.h5"
     words = [folder / word if word == "static.h5" else word for word in kind.options]
     programs.run(bin_folder / "ritz-reduce", [*body, *words, "-output", model, "-quiet"], RANKS)
     with h5py.File(model) as file:
@@ -54,33 +58,36 @@ def reduced(bin_folder, folder, body, kind):
             "memory_bytes": figures["peak_memory_bytes"], "file_bytes": model.stat().st_size}
 
 
-def loaded(bin_folder, words):
-    """ritz-run, which reads what one step needs and takes it: median seconds, and bytes resident at the most."""
-    runs = [programs.run(bin_folder / "ritz-run", words) for _ in range(REPETITIONS)]
-    return {"load_seconds": statistics.median(run.seconds for run in runs),
-            "resident_bytes": statistics.median(run.memory for run in runs)}
+def load_times(bin_folder, commands):
+    """Of each of ritz-run's commands, which read what a step (or statics) needs and write one frame: median seconds, and
+    bytes resident at the most. They take turns."""
+    rounds = [[programs.run(bin_folder / "ritz-run", words) for words in commands] for _ in range(REPETITIONS)]
+    return [{"load_seconds": statistics.median(run.seconds for run in runs),
+             "resident_bytes": statistics.median(run.memory for run in runs)} for runs in zip(*rounds)]
 
 
-def run_words(folder, kind):
-    return [folder / "model.h5", "--scene", folder / "one_step.toml", "--frames", "0", "--output", folder / "motion.h5",
-            "--quiet", *kind.run]
+def run_words(folder, model, kind):
+    return [model, "--scene", folder / kind.scene, "--frames", "1", "--output", folder / "motion.h5", "--quiet", *kind.run]
 
 
 def measure(bin_folder, folder, form, say):
     """A list of rows. `say(text)` is called before each."""
     folder.mkdir(parents=True, exist_ok=True)
     body = ("-mesh", BEAMS[form], *MATERIAL)
-    (folder / "static.toml").write_text(STATIC)
-    (folder / "one_step.toml").write_text(ONE_STEP)
+    for name, text in SCENES.items():
+        (folder / name).write_text(text)
     say("what kinds of scenes need: full statics")
     programs.run(bin_folder / "ritz-full", [*body, *HELD, "-scene", folder / "static.toml", "-output",
                                             folder / "static.h5", "-quiet"], RANKS)
-    rows = [{"kind": "ritz-run alone (--help)", **loaded(bin_folder, ["--help"])}]
-    for kind in KINDS:
+    rows, commands = [{"kind": "ritz-run alone (--help)"}], [["--help"]]
+    for number, kind in enumerate(KINDS):
         say(f"what kinds of scenes need: {kind.title}")
-        row = {"kind": kind.title, "options": " ".join((*kind.options, *kind.run))}
-        rows.append(row | reduced(bin_folder, folder, body, kind) | loaded(bin_folder, run_words(folder, kind)))
-    return rows
+        model = folder / f"{number}.h5"
+        rows.append({"kind": kind.title, "options": " ".join((*kind.options, *kind.run))} |
+                    reduced(bin_folder, folder, model, body, kind))
+        commands.append(run_words(folder, model, kind))
+    say("what kinds of scenes need: loading")
+    return [row | cost for row, cost in zip(rows, load_times(bin_folder, commands))]
 
 
 def size_of(folder):

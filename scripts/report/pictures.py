@@ -122,7 +122,9 @@ def over_load(rows):
     floors = sorted({(row["load_factor"], row["floor"]) for row in chosen})
     axes.plot(*zip(*floors), label="the reference's floor", **diagram.REAL)
     diagram.one_percent(axes)
+    enough = compare.enough_until(rows, "linear", 0.01)
+    until = "" if np.isnan(enough) else f": within 1 % up to {enough:.2g} times the load"
     axes.set(xscale="log", yscale="log", xlabel="factor of the load", ylabel="time-integrated error, relative",
-             title="Where linear stops being enough")
+             title=f"Where linear stops being enough{until}")
     axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
     return figure

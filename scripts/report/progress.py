@@ -20,6 +20,10 @@ class Progress:
         """Of the estimate is done."""
         self.done += seconds
 
+    def skip(self, seconds):
+        """Of the estimate need not be done: an earlier start has done it, or a failure ends it."""
+        self.total -= seconds
+
     def left(self):
         """Seconds, by how the estimate has done so far; None at the beginning."""
         elapsed = time.monotonic() - self.began

@@ -150,9 +150,9 @@ def fork(factor):
         "stem_end", strike((20.0, 0.0, 0.0), (-20.0, 0.0, 0.0)), strike((20.0, 0.0, 5.0), (0.0, 0.0, 0.0)),
         'set = "tip_left"', frame=1e-4, end=6e-3, steps=halved(1e-4, 3), released=1.2e-3, load_factor=float(factor),
         ranks=2, step_sizes=(("derivatives", (4, 14)),), step_cost=0.25)
-    if factor == 1:
-        return on_another_mesh(scene, meshes.Fork(0.004, 10))
-    return replace(scene, limits=Limits(integrators=("exact", "avf")))
+    if factor != 1:
+        scene = replace(scene, limits=Limits(integrators=("exact", "avf")))
+    return on_another_mesh(scene, meshes.Fork(0.004, 10))
 
 
 def block(cells, finer, **changes):
@@ -161,7 +161,7 @@ def block(cells, finer, **changes):
     scene = Scene(
         "block", "A soft block with hard grains (stiffness ratio 1000), sheared and released", meshes.Block(cells),
         GRAINS, "bottom", (shear(25.0, 10.0, 0.0),), (shear(-15.0, 0.0, 0.0), later), 'set = "top"', frame=0.004,
-        end=0.3, steps=halved(0.004, 3), released=0.125, damping=1.0, step_cost=0.08)
+        end=0.3, steps=halved(0.002, 3), released=0.125, damping=1.0, step_cost=0.08)
     return on_another_mesh(replace(scene, **changes), meshes.Block(finer))
 
 

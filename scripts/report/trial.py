@@ -2,6 +2,7 @@
 import csv
 import dataclasses
 import math
+import re
 import shutil
 
 import numpy as np
@@ -28,9 +29,11 @@ def compare(bench, reference, run, key, row):
     full = BY_NAME[run.method].program == "full"
     if full:
         folder, _ = bench.full(run.step, run.integrator)
+        row |= {"flags": " ".join(map(str, bench.problem())), "energy_balance": energy_drift(folder)}
     else:
         row |= model_columns(bench, run)
-        folder = move(bench, run, bench.folder / "runs" / key)
+        folder = bench.folder / "runs" / key
+        row["energy_balance"] = energy_printed(move(bench, run, folder).text)
     micros, row["iterations"], row["rejected"] = step_costs(folder)
     times, u = reference.body.frames(folder / ("full.h5" if full else "motion.h5"))
     error = errors.norms(u - reference.u, reference.body.mass)
@@ -40,7 +43,7 @@ def compare(bench, reference, run, key, row):
         reason = f"the motion is lost: its error grows to {row['error_max']:.1e} of the largest displacement"
         raise programs.Failed(reason, 1e-6 * float(micros.sum()))
     if full:
-        row |= {"error_basis": 0.0, "error_time": row["error_integrated"], "energy_balance": energy_balance(folder)}
+        row |= {"error_basis": 0.0, "error_time": row["error_integrated"]}
     else:
         row |= parts(bench, reference, run, u)
     if not math.isnan(reference.tone):
@@ -58,9 +61,8 @@ def model_columns(bench, run):
 
 
 def move(bench, run, folder):
-    bench.reduced(bench.model(run.method, run.knobs)[0], run.step, run.integrator, run.precision, folder,
-                  ["--every", bench.every(run.step)])
-    return folder
+    return bench.reduced(bench.model(run.method, run.knobs)[0], run.step, run.integrator, run.precision, folder,
+                         ["--every", bench.every(run.step)])
 
 
 def parts(bench, reference, run, u):
@@ -81,7 +83,16 @@ def finest_frames(bench, reference, run):
     return reference.body.frames(folder / "motion.h5")[1]
 
 
-def energy_balance(folder):
+def energy_printed(text):
+    """Of a nonlinear motion; linear ones print none."""
+    said = re.search(r"at most (\S+) J gained and (\S+) J lost; .* at most (\S+) J", text)
+    if not said:
+        return float("nan")
+    gained, lost, largest = map(float, said.groups())
+    return max(gained, lost) / largest if largest > 0 else float("nan")
+
+
+def energy_drift(folder):
     path = folder / "energy.csv"
     if not path.exists():
         return float("nan")
@@ -114,7 +125,7 @@ def part(bench, run, folder, repetition, repetitions):
     one stopped, and takes it for the whole; all but its first step, which analyses the matrix besides. Statics have no
     parts."""
     steps = bench.scene.count(run.step)
-    parts = 1 if bench.scene.analysis == "static" else min(repetitions, steps // 2)
+    parts = parts_of(bench.scene, run, repetitions)
     index = repetition % parts
     end = bench.scene.end * ((index + 1) * steps // parts) / steps
     until = dataclasses.replace(bench, scene=dataclasses.replace(bench.scene, end=end))
@@ -128,7 +139,11 @@ def part(bench, run, folder, repetition, repetitions):
     return spent(costs, steps, done.memory)
 
 
+def parts_of(scene, run, repetitions):
+    return 1 if scene.analysis == "static" else max(1, min(repetitions, scene.count(run.step) // 2))
+
+
 def spent(costs, steps, memory):
     """`costs`: µs of each step that was timed, of `steps`."""
     return {"seconds": 1e-6 * float(np.mean(costs)) * steps, "median": float(np.median(costs)),
-            "p99": float(np.percentile(costs, 99)), "memory": memory}
+            "p99": float(np.percentile(costs, 99)), "memory": memory, "part": len(costs) < steps}

@@ -29,7 +29,7 @@ def pull(force, step, steps, integrator, ramp=None):
 
 @dataclass(frozen=True)
 class Said:
-    """What ritz-run printed of an undamped motion."""
+    """What ritz-run printed of a motion."""
     rejected: int
     gained: float  # relative to what there was at the beginning and what the load brought
     lost: float

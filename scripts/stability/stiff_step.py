@@ -3,7 +3,7 @@ import numpy as np
 
 from .bench import SOFT
 from .motion import GAINED, pull, reduce_beam, said
-from .row import Figure, Length, Row, at_most, finite, plain, reported
+from .row import Length, Row, at_most, finite, plain, reported
 
 SMALL = ["-mesh", "box:1,.1,.06/4,1,1/tet10", "-fix", "xmin", *SOFT, "-quiet"]
 
@@ -13,11 +13,11 @@ def reduced(integrator):
         step = 1e3 / reduce_beam(bench)
         steps = 5000 if length is Length.full else 500
         scene = bench.write("swing.toml", pull(3., float(step), steps, integrator))
-        seen = said(ran := bench.move("model.h5", "--scene", scene, "--frames", "0"))
+        seen = said(bench.move("model.h5", "--scene", scene, "--frames", "0"))
         z = bench.read("motion.h5", "z")
         tip = np.abs(bench.table("probes.csv")[1][:, 1:]).max()
         figures = [finite(f"{steps} steps of {step:.2g} s, the tip moves by up to {tip:.2g} m", z),
-                   Figure(f"{seen.rejected} steps rejected", "rejected" in ran.out)]
+                   reported(f"{seen.rejected} steps rejected")]
         if integrator == "avf":
             return [*figures, at_most("energy drifts, relative, by", seen.drift, 1e-8)]
         return [*figures, at_most("energy gained, relative,", seen.gained, GAINED),
@@ -34,7 +34,7 @@ def full(integrator):
         _, rows = bench.table("energy.csv")
         drift, brought = rows[:, 5], rows[:, 3].max()
         figures = [finite(f"{steps} steps of {step:.2g} s", bench.read("full.h5", "snapshots")),
-                   Figure(next(line for line in ran.out.splitlines() if "rejected" in line), True)]
+                   reported(next(line for line in ran.out.splitlines() if "rejected" in line))]
         if integrator == "avf":
             return [*figures, at_most("energy drifts, relative, by", np.abs(drift).max() / brought, 1e-8)]
         return [*figures, at_most("energy gained, relative,", max(0., drift.max()) / brought, GAINED),

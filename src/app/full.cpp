@@ -53,7 +53,8 @@ std::string run_dynamics(stages::FullModel& model, const scene::Scene& scene, co
   const auto& time = std::get<scene::Time>(scene.analysis);
   const stages::DynamicOptions options{
       .integrator = integrator_of(time), .alpha = scene.damping.alpha, .beta = scene.damping.beta, .dt = time.step};
-  const auto first = start.t > 0 ? start : stages::start_dynamics(model, options, start, load);
+  auto first = start.t > 0 ? start : stages::start_dynamics(model, options, start, load);
+  if (first.a.cols() == 0) first.a = stages::balanced_acceleration(model, options, first, load);
   const auto energy = [](const stages::DynamicState& state) { return state.energies.kinetic + state.energies.elastic; };
   double largest = energy(first);
   stages::DynamicState last = first;

@@ -93,6 +93,7 @@ void FullFile::keep(const LastState& state, const std::string& problem_checksum)
     format::require_written(static_cast<bool>(group));
     for (const auto& [name, value] : state.numbers) format::write_attribute(group.get(), name.c_str(), value);
     format::write_attribute(group.get(), "problem_checksum", problem_checksum);
+    format::write_attribute(group.get(), "integrator", state.integrator);
     format::write_attribute(group.get(), "kind", std::string(state.kind == StateKind::moving ? "moving" : "at_rest"));
   });
   write_vertices("state/displacement", order_.to_file(comm_, by_vertex(state.u)), "m");

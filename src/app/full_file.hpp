@@ -32,6 +32,7 @@ enum class StateKind { at_rest, moving };
 /// Where a run stopped. Vectors: rows of owned vertices.
 struct LastState {
   StateKind kind = StateKind::moving;
+  std::string integrator;                 ///< whose acceleration `a` is; "none" at rest
   std::map<std::string, double> numbers;  ///< t and energies, by name
   petsc::Tall u, v, a;
 };

@@ -4,6 +4,8 @@
 #include <sstream>
 #include <utility>
 
+#include "ritz/app/full_start.hpp"
+
 namespace ritz::app {
 namespace {
 
@@ -25,6 +27,7 @@ FullRecorder::FullRecorder(const config::Config& config, const scene::Scene& sce
       dofs_(dofs),
       probes_(scene, mesh),
       file_(config.output, mesh, materials, plan),
+      integrator_(integrator_name(scene)),
       kind_(std::holds_alternative<scene::Time>(scene.analysis) ? StateKind::moving : StateKind::at_rest),
       probe_rows_(probes_.header() + "\n"),
       energy_rows_("t,kinetic,elastic,work,dissipated,drift\n"),
@@ -64,6 +67,7 @@ void FullRecorder::commit(const stages::DynamicState& last, const std::string& p
   const auto& e = last.energies;
   const auto whole = [&](const petsc::Tall& x) { return mesh::to_vertices(mesh_, dofs_, x); };
   file_.keep({.kind = kind_,
+              .integrator = integrator_,
               .numbers = {{"t", last.t},
                           {"kinetic", e.kinetic},
                           {"elastic", e.elastic},

@@ -32,6 +32,7 @@ class FullRecorder {
   FullFile file_;
   std::optional<PendingFile> probe_file_, energy_file_;
   std::optional<FullTiming> timing_;
+  std::string integrator_;
   StateKind kind_;
   std::string probe_rows_, energy_rows_;
   std::vector<std::int64_t> frame_states_;

@@ -80,6 +80,7 @@ LastState read_last_state(const std::filesystem::path& path, const mesh::Mesh& m
     if (in.text("problem_checksum") != problem_checksum)
       refuse(path, "it was written for another mesh, material or support");
     state.kind = in.text("kind") == "moving" ? StateKind::moving : StateKind::at_rest;
+    state.integrator = in.text("integrator");
     for (const auto* name : {"t", "kinetic", "elastic", "work", "dissipated", "start"})
       state.numbers[name] = in.number(name);
     rows << in.rows("displacement", slice), in.rows("velocity", slice), in.rows("acceleration", slice);

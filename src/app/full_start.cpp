@@ -9,6 +9,13 @@
 #include "ritz/parallel/guard.hpp"
 
 namespace ritz::app {
+namespace {
+
+std::string name_of(scene::Integrator integrator) {
+  return std::string(scene::integrator_names[static_cast<std::size_t>(integrator)]);
+}
+
+}  // namespace
 
 stages::FullIntegrator integrator_of(const scene::Time& time) {
   switch (time.integrator.value_or(scene::Integrator::avf)) {
@@ -17,9 +24,13 @@ stages::FullIntegrator integrator_of(const scene::Time& time) {
     case scene::Integrator::implicit_euler: return stages::FullIntegrator::implicit_euler;
     default: break;
   }
-  const auto name = scene::integrator_names[static_cast<std::size_t>(*time.integrator)];
-  throw InputError("[time] integrator = \"" + std::string(name) +
+  throw InputError("[time] integrator = \"" + name_of(*time.integrator) +
                    "\": the full model has avf, newmark and implicit-euler");
+}
+
+std::string integrator_name(const scene::Scene& scene) {
+  const auto* time = std::get_if<scene::Time>(&scene.analysis);
+  return time ? name_of(time->integrator.value_or(scene::Integrator::avf)) : "none";
 }
 
 petsc::LinearSolver linear_solver(const config::Config& config, const mesh::Dofs& dofs) {
@@ -58,7 +69,7 @@ stages::DynamicState first_state(const config::Config& config, const mesh::Mesh&
   return {n.at("t"),
           free(last.u),
           free(last.v),
-          free(last.a),
+          last.integrator == integrator_name(scene) ? free(last.a) : petsc::Tall(dofs.owned, 0),
           {n.at("kinetic"), n.at("elastic"), n.at("work"), n.at("dissipated"), n.at("start")}};
 }
 

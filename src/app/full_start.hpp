@@ -17,8 +17,11 @@ scene::Scene read_full_scene(MPI_Comm comm, const std::filesystem::path& path);
 
 stages::FullIntegrator integrator_of(const scene::Time& time);
 
+/// The integrator of a scene's motion as scenes name it; "none" of statics.
+std::string integrator_name(const scene::Scene& scene);
+
 /// At rest, or where an earlier run stopped. Time goes on from a motion's last state; from a static one, released, it
-/// starts at 0. Throws InputError. *Collective*.
+/// starts at 0. Where another integrator made the last state, `a` has no column. Throws InputError. *Collective*.
 stages::DynamicState first_state(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
                                  const scene::Scene& scene, const std::string& problem_checksum);
 

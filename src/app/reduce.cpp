@@ -24,9 +24,9 @@ std::string line(const char* format, Values... values) {
 }
 
 stages::Figures taylor(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const stages::Full& full,
-                       const stages::ModesResult& modes) {
-  const petsc::Tall flexible = stages::flexible_modes(modes);
-  return stages::taylor_witness({mesh, dofs, full, modes, flexible, static_cast<int>(flexible.cols())}, full.materials);
+                       const stages::ModesResult& modes, const std::vector<int>& chosen) {
+  const petsc::Tall entering = stages::entering_modes(modes, chosen).vectors;
+  return stages::taylor_witness({mesh, dofs, full, modes, entering, static_cast<int>(entering.cols())}, full.materials);
 }
 
 stages::BasisResult accurate(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const stages::Full& full,
@@ -54,7 +54,8 @@ ReducedBasis reduce_basis(const config::Config& config, const mesh::Mesh& mesh, 
                 : stages::basis(mesh, dofs, full, modes, snapshots, *config.basis, told);
   });
   if (config.basis->derivatives > 0 || config.accuracy) {
-    const auto witness = progress.stage("witness", [&] { return taylor(mesh, dofs, full, modes); });
+    const auto witness =
+        progress.stage("witness", [&] { return taylor(mesh, dofs, full, modes, config.basis->modes); });
     basis.figures.insert(basis.figures.end(), witness.begin(), witness.end());
   }
   return {std::move(basis.U), std::move(basis.reduction), std::move(basis.figures)};

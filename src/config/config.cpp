@@ -207,6 +207,8 @@ Config read_config(MPI_Comm comm, Program program) {
   config.reuse = options.text("reuse");
   config.rows = options.flag("surface_only") ? StoredRows::surface : StoredRows::all;
   config.goal = options.flag("plan") ? Goal::plan : Goal::model;
+  if (program == Program::full && config.goal == Goal::plan)
+    throw InputError("option -plan is ritz-reduce's: ritz-full has no plan to print; leave it out");
   config.voice = options.flag("quiet") ? Voice::quiet : Voice::normal;
   config.exported = static_cast<Export>(options.choice("export", {"none", "matrixmarket", "petsc"}, 0));
   config.output = options.text("output", program == Program::full ? "full.h5" : "model.h5");

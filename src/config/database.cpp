@@ -39,13 +39,23 @@ T parse(const std::string& name, const std::string& word, const char* kind) {
 bool is_late(const std::string& name) {
   constexpr std::array at_the_end = {"log_view",    "log_view_memory", "options_left", "options_view", "objects_dump",
                                      "malloc_dump", "malloc_view",     "memory_view",  "mpidump",      "citations"};
-  constexpr std::array reports = {"_view", "_converged_reason", "_error_"};
-  const auto holds = [&](const char* part) { return name.find(part) != name.npos; };
+  constexpr std::array reports = {"_view",
+                                  "_view_pre",
+                                  "_view_mat",
+                                  "_view_rhs",
+                                  "_view_values",
+                                  "_view_vectors",
+                                  "_error_absolute",
+                                  "_error_relative",
+                                  "_error_backward",
+                                  "_converged_reason",
+                                  "_error_if_not_converged"};
+  const auto ends = [&](const char* part) { return name.ends_with(part); };
   if (std::find(at_the_end.begin(), at_the_end.end(), name) != at_the_end.end()) return true;
   if (name.starts_with("modes_st_mg_levels_")) return true;
   const bool solver = name.starts_with("modes_eps_") || name.starts_with("modes_st_") ||
                       name.starts_with("solve_ksp_") || name.starts_with("newton_snes_");
-  return solver && std::any_of(reports.begin(), reports.end(), holds);
+  return solver && std::any_of(reports.begin(), reports.end(), ends);
 }
 
 }  // namespace

@@ -86,7 +86,10 @@ NonlinearOutcome step(const NonlinearModel<Scalar>& model, NonlinearState<Scalar
     outcome.evaluations += part.evaluations;
     outcome.status = state.history.allFinite() ? part.status : Status::not_finite;
     if (outcome.status == Status::done) {
-      outcome.work += static_cast<double>((workspace.begin + workspace.end).dot(state.z() - workspace.from)) / 2;
+      workspace.delta = state.z() - workspace.from;
+      workspace.residual.noalias() = model.damping * workspace.delta;
+      outcome.work += static_cast<double>((workspace.begin + workspace.end).dot(workspace.delta)) / 2;
+      outcome.dissipated += static_cast<double>(workspace.residual.dot(workspace.delta) / (width * dt));
       at += width;
       if (width < 1 && std::fmod(at, 2 * width) == 0) width *= 2;
       continue;

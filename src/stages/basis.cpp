@@ -17,7 +17,9 @@ using Eigen::Index;
 
 constexpr std::uint64_t sign_stream = 3000, direction_stream = 3001;
 
-EnteringModes entering(const ModesResult& modes, const std::vector<int>& chosen) {
+}  // namespace
+
+EnteringModes entering_modes(const ModesResult& modes, const std::vector<int>& chosen) {
   const auto vectors = flexible_modes(modes);
   const Index flexible = vectors.cols();
   const auto values = modes.modes.eigenvalues.tail(flexible);
@@ -31,6 +33,8 @@ EnteringModes entering(const ModesResult& modes, const std::vector<int>& chosen)
   }
   return {values(columns), vectors(Eigen::all, columns)};
 }
+
+namespace {
 
 void add_snapshots(const Full& full, const petsc::ConstTallRef& snapshots, const Cut& cut, Principal& set) {
   if (snapshots.cols() == 0) return;
@@ -75,7 +79,7 @@ void finish(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full& full, co
 
 BasisResult basis(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full& full, const ModesResult& modes,
                   const petsc::ConstTallRef& snapshots, const BasisOptions& options, const ModesProgress& progress) {
-  const EnteringModes in = entering(modes, options.modes);
+  const EnteringModes in = entering_modes(modes, options.modes);
   if (options.derivatives > in.values.size())
     throw InputError("option -derivatives " + std::to_string(options.derivatives) + ": only " +
                      std::to_string(in.values.size()) + " flexible modes enter the basis; lower -derivatives");

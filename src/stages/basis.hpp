@@ -22,6 +22,9 @@ struct BasisResult {
   std::vector<std::pair<std::string, double>> figures;  ///< for the report
 };
 
+/// The flexible modes of these numbers. Throws InputError where there are fewer.
+EnteringModes entering_modes(const ModesResult& modes, const std::vector<int>& chosen);
+
 /// Eq. 18's set { (λ₁/λ_j) ψ_j } ∪ { (λ₁²/(λ_i λ_j)) Φ_ij, i ≤ j }, ψ mass-orthonormal, Φ as Eq. 15 gives it, in
 /// whose M-norm singular value decomposition the first directions span U; with `snapshots` (full displacements, rows of
 /// free degrees of freedom, m) these as well: alone as they are, beside modes divided by the largest M-norm of one.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "ritz/fem/dispatch.hpp"
 #include "ritz/fem/mass.hpp"
@@ -68,14 +69,16 @@ class InverseBound {
         norm_(mesh, M),
         known_(flexible_modes(modes)),
         massive_(petsc::multiply(M, known_)),
-        eigenvalues_(modes.modes.eigenvalues.tail(known_.cols())) {}
+        eigenvalues_(modes.modes.eigenvalues.tail(known_.cols())),
+        least_of_rest_(modes.modes.certificate.kind == model::Certified::no ? eigenvalues_[0]
+                                                                            : eigenvalues_.tail(1)[0]) {}
 
   Eigen::ArrayXd operator()(const petsc::Tall& b) const {
     const Eigen::MatrixXd parts = petsc::inner(comm_, known_, b);
     petsc::Tall rest = b;
     petsc::subtract(rest, massive_, parts);
     const Eigen::ArrayXd solved = (eigenvalues_.cwiseInverse().asDiagonal() * parts).colwise().squaredNorm();
-    return (solved + (norm_(rest) / eigenvalues_.tail(1)[0]).square()).sqrt();
+    return (solved + (norm_(rest) / least_of_rest_).square()).sqrt();
   }
 
  private:
@@ -84,6 +87,7 @@ class InverseBound {
   petsc::ConstTallRef known_;
   petsc::Tall massive_;
   Eigen::VectorXd eigenvalues_;
+  double least_of_rest_;
 };
 
 /// The row behind the last one of a block of at least `columns` pairs that begins with row `first`.
@@ -108,6 +112,17 @@ std::vector<Index> worth_solving(const std::vector<Pair>& pairs, const Eigen::Ar
   return solved;
 }
 
+/// Even parts of `columns` or more, of less than twice as many: a row of many modes is longer than a block.
+std::vector<std::span<const Index>> parts(const std::vector<Index>& chosen, std::size_t columns) {
+  const std::size_t count = std::max<std::size_t>(1, chosen.size() / columns);
+  std::vector<std::span<const Index>> all;
+  for (std::size_t n = 0; n < count && !chosen.empty(); ++n) {
+    const std::size_t from = n * chosen.size() / count, to = (n + 1) * chosen.size() / count;
+    all.push_back(std::span(chosen).subspan(from, to - from));
+  }
+  return all;
+}
+
 }  // namespace
 
 DerivativeCounts derivatives(const DerivativesSource& source, int columns, const std::function<double(Pair)>& weight,
@@ -130,13 +145,14 @@ DerivativeCounts derivatives(const DerivativesSource& source, int columns, const
     Eigen::ArrayXd bounds = bound(loads);
     for (std::size_t p = 0; p < pairs.size(); ++p) bounds[static_cast<Index>(p)] *= weight(pairs[p]);
     const auto chosen = worth_solving(pairs, bounds, allowed(), counts);
-    if (chosen.empty()) continue;
-    auto solved = solve(full, found.inverse, rigid, norm_K, loads(Eigen::all, chosen));
-    counts.iterations = std::max(counts.iterations, solved.iterations);
-    counts.residual = std::max(counts.residual, solved.residual);
-    DerivativeBlock block{{}, std::move(solved.x)};
-    for (const Index p : chosen) block.pairs.push_back(pairs[static_cast<std::size_t>(p)]);
-    take(block);
+    for (const auto part : parts(chosen, static_cast<std::size_t>(columns))) {
+      auto solved = solve(full, found.inverse, rigid, norm_K, loads(Eigen::all, std::vector(part.begin(), part.end())));
+      counts.iterations = std::max(counts.iterations, solved.iterations);
+      counts.residual = std::max(counts.residual, solved.residual);
+      DerivativeBlock block{{}, std::move(solved.x)};
+      for (const Index p : part) block.pairs.push_back(pairs[static_cast<std::size_t>(p)]);
+      take(block);
+    }
   }
   return counts;
 }

@@ -31,13 +31,14 @@ struct DerivativesSource {
   int rows;                     ///< only pairs (i, j) with i among the first so many of these
 };
 
-/// Solves K Φ_ij = −(H:ψ_j) ψ_i for the pairs i ≤ j in blocks of `columns` or a little more and hands each block over.
-/// Free bodies: the loads are projected, and Φ is M-orthogonal to the rigid modes.
+/// Solves K Φ_ij = −(H:ψ_j) ψ_i for the pairs i ≤ j in blocks of `columns`, or less than twice that, and hands each
+/// over. Free bodies: the loads are projected, and Φ is M-orthogonal to the rigid modes.
 ///
 /// A pair is not solved while Σ (weight(pair) ‖Φ‖_M)² over all those not solved is certainly below `allowed()`². The n
-/// modes found split b: their part is solved exactly, and no eigenvalue of the rest c = b − MΨΨᵀb is below λ_n, so that
-/// ‖Φ‖²_M ≤ Σ (ψᵢᵀb/λᵢ)² + (‖c‖_{M⁻¹}/λ_n)². ‖c‖²_{M⁻¹} ≤ cᵀD⁻¹c / m, D the diagonal of M and m the smallest
-/// eigenvalue of any cell's D_e⁻¹M_e [Wathen 1987]. Throws NumericalError. *Collective*.
+/// modes found split b: their part is solved exactly, and no eigenvalue of the rest c = b − MΨΨᵀb is below λ_n where
+/// the modes are certified (λ₁ where not), so that ‖Φ‖²_M ≤ Σ (ψᵢᵀb/λᵢ)² + (‖c‖_{M⁻¹}/λ_n)².
+/// ‖c‖²_{M⁻¹} ≤ cᵀD⁻¹c / m, D the diagonal of M and m the smallest eigenvalue of any cell's D_e⁻¹M_e [Wathen 1987].
+/// Throws NumericalError. *Collective*.
 DerivativeCounts derivatives(const DerivativesSource& source, int columns, const std::function<double(Pair)>& weight,
                              const std::function<double()>& allowed,
                              const std::function<void(const DerivativeBlock&)>& take);

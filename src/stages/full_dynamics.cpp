@@ -157,14 +157,18 @@ class Motion {
 
 }  // namespace
 
+petsc::Tall balanced_acceleration(const FullModel& model, const DynamicOptions& options, const DynamicState& state,
+                                  const LoadAt& load) {
+  return petsc::solve_mass(model.full.mass,
+                           load(state.t) - damp(model, options, state.v) - energy_and_force(model, state.u).force);
+}
+
 DynamicState start_dynamics(FullModel& model, const DynamicOptions& options, DynamicState state, const LoadAt& load) {
-  const auto [elastic, force] = energy_and_force(model, state.u);
   auto& e = state.energies;
-  e.elastic = elastic;
+  e.elastic = energy_and_force(model, state.u).energy;
   e.kinetic = dot(model, state.v, petsc::multiply(model.full.mass, state.v)) / 2;
   e.start = e.kinetic + e.elastic;
-  if (options.integrator == FullIntegrator::newmark)
-    state.a = petsc::solve_mass(model.full.mass, load(state.t) - damp(model, options, state.v) - force);
+  if (options.integrator == FullIntegrator::newmark) state.a = balanced_acceleration(model, options, state, load);
   return state;
 }
 

@@ -43,12 +43,16 @@ struct DynamicReport {
   double largest_drift = 0;   ///< |E − E₀ − W + Q|, J
 };
 
-/// At rest at t = 0, or as given: fills in energies and, for newmark, the consistent acceleration
 /// M a = F(t) − D v − f(u). *Collective*.
+petsc::Tall balanced_acceleration(const FullModel& model, const DynamicOptions& options, const DynamicState& state,
+                                  const LoadAt& load);
+
+/// At rest at t = 0, or as given: fills in energies and, for newmark, the balanced acceleration. *Collective*.
 DynamicState start_dynamics(FullModel& model, const DynamicOptions& options, DynamicState state, const LoadAt& load);
 
-/// `steps` steps of Δt; `reached` after each, with the report so far. A step that does not converge is rejected and halved, never accepted.
-/// Throws NumericalError that names its time and residual when halving does not help. *Collective*.
+/// `steps` steps of Δt; `reached` after each, with the report so far. A step that does not converge is rejected and
+/// halved, never accepted. Throws NumericalError that names its time and residual when halving does not help.
+/// *Collective*.
 DynamicReport full_dynamics(FullModel& model, const DynamicOptions& options, DynamicState state, std::int64_t steps,
                             const LoadAt& load,
                             const std::function<void(const DynamicState&, const DynamicReport&)>& reached);

@@ -26,13 +26,13 @@ struct StaticReport {
   std::int64_t inverted_cells = 0;  ///< at the end
 };
 
-/// f(u) = F(t) from `start` on to t = 1; `reached` is called after each of the steps that lie beyond it, with the report so
-/// far. Newton takes full steps; an increment that does not converge, or with the direct solver lands where the tangent has negative
-/// eigenvalues, is halved; so is one that turns more cells inside out, until they do so without a jump. Throws
-/// NumericalError that names the load fraction reached, where halving no longer helps: "a limit point of the load or a
-/// bifurcation", past which dead loads find no stable equilibrium, only where the tangent loses its definiteness within
-/// about twice the increment that failed; else that nothing was found. Throws InputError when the supports leave the
-/// body rigid motions. *Collective*.
+/// f(u) = F(t) from `start` on to t = 1; `reached` is called after each of the steps that lie beyond it, with the
+/// report so far. Newton takes full steps; an increment that does not converge, or with the direct solver lands where
+/// the tangent has negative eigenvalues, is halved; so is one that turns more cells inside out, until they do so
+/// without a jump. Throws NumericalError that names the load fraction reached, where halving no longer helps: "a limit
+/// point of the load or a bifurcation", past which dead loads find no stable equilibrium, only where the tangent loses
+/// its definiteness within about twice the increment that failed; else that nothing was found. Throws InputError when
+/// the supports leave the body rigid motions. *Collective*.
 StaticReport full_statics(FullModel& model, const StaticOptions& options, StaticState start, const LoadAt& load,
                           const std::function<void(const StaticState&, const StaticReport&)>& reached);
 

@@ -41,7 +41,8 @@ std::string check_numbers(const format::ModelReader& in, const model::Body& body
   require(body.geometry.points.allFinite(), in, "a coordinate is not a finite number");
   require(body.basis.U.allFinite(), in, "an entry of U is not a finite number");
   for (const auto& load : body.loads)
-    require(load.total.allFinite(), in, "the load on the set '" + load.set + "' is not a finite number");
+    require(load.total.allFinite() && load.traction.allFinite() && load.pressure.allFinite(), in,
+            "the load on the set '" + load.set + "' is not a finite number");
   return "all numbers are finite";
 }
 

@@ -88,8 +88,10 @@ Cost run_statics(const scene::Scene& scene, const scene::Static& statics, const 
     load.evaluate(scene, t, force);
     const Eigen::VectorXd z = runtime::solve_static(model, force);
     const StepCost spent{.t = t, .seconds = seconds_since(started)};
-    cost.add(spent);
-    recorder.cost(spent);
+    if (n > 0) {
+      cost.add(spent);
+      recorder.cost(spent);
+    }
     require_finite(z.allFinite(), "load step", n, t);
     recorder.record(t, z);
   }

@@ -29,8 +29,8 @@ void EnergyWatch::look(double t, double energy) {
 std::string EnergyWatch::balance() const {
   std::ostringstream text;
   text.precision(3);
-  text << "energy balance of E - E0 - W: at most " << gained_ << " J gained and " << lost_ << " J lost; E0 + W at most "
-       << scale_ << " J";
+  text << "energy balance of E - E0 - W + Q: at most " << gained_ << " J gained and " << lost_
+       << " J lost; E0 + W - Q at most " << scale_ << " J";
   return text.str();
 }
 

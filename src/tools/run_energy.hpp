@@ -4,12 +4,12 @@
 
 namespace ritz::tools {
 
-/// Compares the energy of an undamped motion with what it began with and the loads' work.
+/// Compares the energy of a motion with what it began with, the loads' work W and what damping took, Q.
 class EnergyWatch {
  public:
   explicit EnergyWatch(double energy) : begin_(energy), scale_(energy) {}
 
-  /// Work of the loads over a step, J.
+  /// Of the loads over a step, less what damping took, J.
   void add_work(double work);
   /// The energy at time t, J.
   void look(double t, double energy);

@@ -35,10 +35,6 @@ runtime::Method<Scalar> method(const scene::Time& time) {
       "generalized-alpha, bdf2 or central-difference, or run it with --linear");
 }
 
-bool undamped(const scene::Damping& damping) {
-  return damping.alpha == 0 && damping.beta == 0 && std::ranges::all_of(damping.ratio, [](double z) { return z == 0; });
-}
-
 /// How often the energy is looked at: it costs an evaluation.
 constexpr std::int64_t looks = 200;
 
@@ -65,10 +61,14 @@ void advance(const scene::Time& time, const ReducedLoad& load, const scene::Scen
     const StepCost spent{t, seconds_since(started), outcome.iterations, outcome.rejected};
     cost.add(spent);
     recorder.cost(spent);
-    if (outcome.status != runtime::Status::done)
-      throw NumericalError("step " + std::to_string(n) + ", t = " + std::to_string(t) + " s, " + why(outcome.status));
-    watch.add_work(outcome.work);
-    if (n % every == 0) watch.look(t, runtime::energy(model, state, workspace.at_point));
+    if (outcome.status != runtime::Status::done) {
+      watch.look(static_cast<double>(n - 1) * time.step, runtime::energy(model, state, workspace.at_point));
+      const auto gained = watch.warning(std::string(workspace.method.name));
+      throw NumericalError("step " + std::to_string(n) + ", t = " + std::to_string(t) + " s, " + why(outcome.status) +
+                           (gained.empty() ? "" : "; " + gained));
+    }
+    watch.add_work(outcome.work - outcome.dissipated);
+    if (n % every == 0 || n == cost.steps) watch.look(t, runtime::energy(model, state, workspace.at_point));
     begin.swap(end);
     recorder.record(t, state.z().template cast<double>().eval());
     line.at(n);
@@ -91,7 +91,6 @@ Cost transient(const scene::Scene& scene, const scene::Time& time, const model::
   EnergyWatch watch(0);
   recorder.record(0, rest.template cast<double>().eval());
   advance(time, load, scene, model, state, workspace, recorder, line, watch, cost);
-  if (!undamped(scene.damping)) return cost;
   cost.balance = watch.balance();
   cost.warning = watch.warning(std::string(rule.name));
   return cost;
@@ -113,8 +112,10 @@ Cost statics_of(const scene::Scene& scene, const scene::Static& statics, const m
     end = force.cast<Scalar>();
     const auto outcome = runtime::solve_static<Scalar>(model, {begin, end, from, t}, z, workspace);
     const StepCost spent{t, seconds_since(started), outcome.iterations, outcome.rejected};
-    cost.add(spent);
-    recorder.cost(spent);
+    if (n > 0) {
+      cost.add(spent);
+      recorder.cost(spent);
+    }
     begin.swap(end);
     from = t;
     recorder.record(t, z.template cast<double>().eval());

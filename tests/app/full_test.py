@@ -140,6 +140,40 @@ class Files(Full):
         self.full(*BEAM, *self.scene(end=.04), "-options_file", "a.opts")
 
 
+class Loads(Full):
+    """Small enough to be linear, beside the same scene on all modes of the reduced model, whose loads NumPy checks
+    (set_loads_test.py)."""
+    HEAD = "[time]\nstep = 0.02\nend = 0.4\nintegrator = 'newmark'\n"
+    PROBES = '[[probe]]\nname = "tip"\nset = "xmax"\n[[probe]]\nname = "corner"\nvertex = 7\n'
+    TABLE = "table = [[0, 0], [0.1, 1], [0.3, -0.5]]\n"
+    SCENES = {
+        "gravity": ("gravity = [1e-6, 2e-6, -3e-6]\n", ""),
+        "shake": ("", f"[shake]\ndirection = [1e-6, 2e-6, -3e-6]\n{TABLE}"),
+        "total on a set": ("", f"[[load]]\nset = 'xmax'\ntotal = [1e-5, 2e-5, -3e-5]\n{TABLE}"),
+        "each of a set": ("", f"[[load]]\nset = 'xmax'\neach = [1e-6, 2e-6, -3e-6]\n{TABLE}"),
+        "total on a vertex": ("", f"[[load]]\nvertex = 7\ntotal = [1e-6, 2e-6, -3e-6]\n{TABLE}"),
+        "each, a vertex": ("", "[[load]]\nvertex = 7\neach = [1e-6, 2e-6, -3e-6]\n"),
+        "pressure": ("", f"[[load]]\nset = 'ymax'\npressure = 1e-4\n{TABLE}"),
+        "traction": ("", f"[[load]]\nset = 'zmin'\ntraction = [1e-4, 2e-4, -3e-4]\n{TABLE}"),
+        "damped": ("gravity = [1e-6, 2e-6, -3e-6]\n", "[damping]\nalpha = 0.5\nbeta = 0.01\n"),
+    }
+
+    def test_they_are_those_of_the_reduced_model(self):
+        for cells, modes in (("4,2,1/tet4", 72), ("3,2,1/tet10", 270), ("4,2,1/hex8", 72)):
+            mesh = ["-mesh", f"box:1,.15,.1/{cells}", *BEAM[2:]]
+            self.reduce(*mesh, "-modes", str(modes), ranks=1)
+            for name, (top, rest) in self.SCENES.items():
+                with self.subTest(cells=cells, load=name):
+                    words = self.scene(text=top + self.HEAD + rest + self.PROBES)
+                    self.full(*mesh, *words, "-frames", "0", ranks=2)
+                    full = self.table("probes.csv")[1]
+                    subprocess.run([BIN / "ritz-run", "model.h5", "--scene", "scene.toml", "--frames", "0", "--quiet"],
+                                   cwd=self.folder, check=True, timeout=60)
+                    reduced = self.table("probes.csv")[1]
+                    self.assertGreater(np.abs(reduced[:, 1:]).max(), 1e-10)
+                    self.assertLess(np.abs(full - reduced).max(), 1e-6 * np.abs(reduced[:, 1:]).max())
+
+
 class Failures(Full):
     def test_a_lack_of_memory_is_no_limit_point(self):
         pull = '[static]\nsteps = 2\n[[load]]\nset = "xmax"\ntotal = [0, 3, 5]\n'
@@ -170,6 +204,28 @@ class Restart(Full):
                 self.assertLess(np.abs(rest["state/displacement"][:] - u).max(), 1e-12)
                 for name in ("work", "dissipated", "start"):
                     self.assertAlmostEqual(rest["state"].attrs[name], whole["state"].attrs[name], delta=1e-11)
+
+    def test_with_another_integrator(self):
+        """Newmark goes on from the balanced acceleration, whatever stopped: AVF keeps the mean of its last step."""
+        fine = SCENE.replace("step = 0.02", "step = 0.0005")
+        self.full(*BEAM, *self.scene(integrator="newmark", text=fine, end=.2), "-output", "whole.h5", "-frames", "0")
+        self.full(*BEAM, *self.scene(integrator="avf", text=fine, end=.18), "-output", "half.h5", "-frames", "0")
+        self.full(*BEAM, *self.scene(integrator="newmark", text=fine, end=.2), "-restart", "half.h5", "-output",
+                  "rest.h5", "-frames", "0")
+        whole, rest = self.motion("whole.h5"), self.motion("rest.h5")
+        self.assertEqual(rest["state"].attrs["integrator"], b"newmark")
+        for name, least in (("displacement", 1e-4), ("velocity", 1e-3), ("acceleration", 2e-2)):
+            expected = whole["state"][name][:]
+            self.assertLess(np.abs(rest["state"][name][:] - expected).max(), least * np.abs(expected).max(), name)
+
+    def test_statics_go_on_from_statics(self):
+        pull = '[static]\nsteps = {n}\n[[load]]\nset = "xmax"\ntotal = [0, {y}, {z}]\n'
+        self.full(*BEAM, *self.scene(text=pull.format(n=4, y=3, z=5)), "-output", "whole.h5", "-frames", "0")
+        self.full(*BEAM, *self.scene(text=pull.format(n=1, y=3, z=5)), "-output", "end.h5", "-frames", "0")
+        a, b = (self.motion(name)["state/displacement"][:] for name in ("whole.h5", "end.h5"))
+        self.assertLess(np.abs(a - b).max(), 1e-9 * np.abs(a).max())
+        said = self.full(*BEAM, *self.scene(text=pull.format(n=4, y=3, z=5)), "-restart", "end.h5", code=2).stderr
+        self.assertIn("nothing is left to do", said)
 
     def test_what_it_cannot_go_on_from(self):
         self.full(*BEAM, *self.scene(), "-output", "half.h5")

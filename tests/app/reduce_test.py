@@ -107,6 +107,17 @@ class Files(InAFolder):
         self.assertEqual((self.options()["solver"], self.options()["fix"]), ("direct", "none"))
         self.reduce(*CLAMPED, "-solver", "iterative")
         self.assertEqual((self.options()["solver"], self.options()["fix"]), ("iterative", "xmin"))
+
+    def test_what_no_factorization_counts_is_not_certified(self):
+        for solver, word in (("direct", "inertia"), ("iterative", "no")):
+            said = self.reduce(*CLAMPED, "-solver", solver).stdout
+            self.assertEqual({row["certified"] for row in self.frequencies()}, {word})
+            inspected = subprocess.run([BIN / "ritz-inspect", "model.h5"], cwd=self.folder, capture_output=True,
+                                       text=True, check=True).stdout
+            for text in (said, inspected):
+                self.assertEqual("not certified" in text, solver == "iterative", text)
+
+    def test_a_support_of_the_mesh_file(self):
         (self.folder / "m.inp").write_text(HELD)
         self.reduce("-mesh", "m.inp", *BOX[2:-1], "2")
         self.assertEqual(self.options()["fix"], "the mesh file's own")

@@ -44,7 +44,7 @@ class Campaigns(unittest.TestCase):
     def sample(self, bench, run, key, repetition, repetitions):
         self.count(self.timed, key)
         n = len(self.timed)
-        return {"seconds": 1.0 * n, "median": 10.0 * n, "p99": 20.0, "memory": 1e6}
+        return {"seconds": 1.0 * n, "median": 10.0 * n, "p99": 20.0, "memory": 1e6, "part": False}
 
     def run_it(self, program="build"):
         chosen = (scenes.QUICK[0],)

@@ -49,14 +49,22 @@ class Compare(unittest.TestCase):
         self.assertEqual((lines[0][2], lines[0][3]), ("2 s", "0.46 %"))
         self.assertEqual(compare.reach([row(floor=1e-12)], {}, 0.01)[1][0][-1], "rounding")
 
+    def test_where_a_method_stops_being_enough(self):
+        rows = [row(method="linear", load_factor=factor, error_integrated=error)
+                for factor, error in ((1.0, 1e-3), (1.0, 5e-3), (10.0, 1e-1), (100.0, 1.0))]
+        self.assertAlmostEqual(compare.enough_until(rows, "linear", 0.01), 10 ** 0.5)
+        self.assertTrue(math.isnan(compare.enough_until(rows, "linear", 1e-4)))
+        self.assertTrue(math.isnan(compare.enough_until(rows, "pod", 0.01)))
+
     def test_break_even(self):
         full = row(method="full", microseconds=5010.0, precompute_seconds=math.nan)
         other = row(method="full", microseconds=1.0, scene="another")
-        reduced = row(microseconds=10.0, precompute_seconds=2.0)
+        reduced = row(microseconds=10.0, precompute_seconds=2.0, error_integrated=0.05)
         self.assertEqual(compare.break_even(reduced, [full, other, reduced]), 400)
         self.assertTrue(math.isnan(compare.break_even(reduced, [other, reduced])))
-        self.assertTrue(math.isnan(compare.break_even(row(microseconds=6000.0), [full])))
+        self.assertTrue(math.isnan(compare.break_even(row(microseconds=6000.0, error_integrated=0.01), [full])))
         self.assertTrue(math.isnan(compare.break_even(full, [full])))
+        self.assertTrue(math.isnan(compare.break_even(reduced | {"error_integrated": 0.06}, [full])), "too wrong")
 
 
 if __name__ == "__main__":

@@ -1,8 +1,11 @@
-"""Tables go between their marks, again and again, and nowhere else."""
+"""Tables go between their marks, again and again, and nowhere else; those in the README are of the rows that there are."""
 import unittest
+from pathlib import Path
 
 import support  # noqa: F401  (finds the scripts)
 import readme_tables
+from report import lean, scenes
+from stability import table as stability
 
 PAGE = "# a\n<!-- lean -->\nold\n<!-- /lean -->\nb\n"
 
@@ -20,6 +23,18 @@ class Readme(unittest.TestCase):
 
     def test_a_cell_cannot_end_its_row(self):
         self.assertEqual(readme_tables.markdown(["a"], [["b|c\nd"]]).splitlines()[2], "| b\\|c d |")
+
+    def cells(self, name):
+        """Lines of a table of the README."""
+        text = (Path(__file__).resolve().parents[2] / "README.md").read_text()
+        rows = text[text.index(f"<!-- {name} -->"):text.index(f"<!-- /{name} -->")].splitlines()
+        return [line.strip("| ").split(" | ") for line in rows if line.startswith("|")][2:]
+
+    def test_the_readme_s_tables_are_of_these_rows(self):
+        self.assertEqual([row[:2] for row in self.cells("stability")],
+                         [[row.scene, readme_tables.short(row.asked)] for row in stability.ROWS])
+        self.assertEqual([row[0] for row in self.cells("lean")][1:-1], [kind.title for kind in lean.KINDS])
+        self.assertEqual([row[0] for row in self.cells("reach")], [scene.title for scene in scenes.FULL])
 
 
 if __name__ == "__main__":

@@ -39,6 +39,12 @@ class Tables(unittest.TestCase):
                     self.assertAlmostEqual(whole, round(whole), places=9, msg=scene.name)
             self.assertEqual(list(scene.steps), sorted(scene.steps, reverse=True))
 
+    def test_a_scene_is_large(self):
+        """More than 100,000 degrees of freedom: three a vertex of a quadratic beam, less its held face."""
+        for scene in scenes.FULL[-2:]:
+            nx, ny, nz = (2 * int(n) for n in scene.mesh.split("/")[1].split(","))
+            self.assertGreater(3 * nx * (ny + 1) * (nz + 1), 100_000)
+
     def test_the_full_model_is_never_its_own_reference(self):
         for scene, form in EVERY:
             for run in plan(scene, FORMS[form]):

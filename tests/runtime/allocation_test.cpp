@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <new>
 
+#include "ritz/base/aligned.hpp"
 #include "ritz/runtime/integrators.hpp"
 #include "ritz/runtime/reconstruction.hpp"
 #include "ritz/runtime/step.hpp"
@@ -19,8 +20,16 @@ std::atomic<long> news = 0;
   if (void* p = std::malloc(bytes)) return p;
   throw std::bad_alloc();
 }
+[[gnu::noinline]] void* operator new(std::size_t bytes, std::align_val_t line) {
+  ++news;
+  const auto size = static_cast<std::size_t>(line);
+  if (void* p = std::aligned_alloc(size, (bytes + size - 1) / size * size)) return p;
+  throw std::bad_alloc();
+}
 [[gnu::noinline]] void operator delete(void* p) noexcept { std::free(p); }
 [[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+[[gnu::noinline]] void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
+[[gnu::noinline]] void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
 
 namespace ritz::runtime {
 namespace {
@@ -45,7 +54,9 @@ TEST(Allocation, IsNoticed) {
 TEST(Allocation, OfOperatorNewIsNoticed) {
   const long before = news;
   ::operator delete(::operator new(8));
-  EXPECT_GT(news, before);
+  EXPECT_EQ(news, before + 1);
+  const AlignedVector<double> aligned(3);
+  EXPECT_EQ(news, before + 2);
 }
 
 TEST(Allocation, NoneInAStepOfAnyIntegrator) {

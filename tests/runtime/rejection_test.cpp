@@ -38,16 +38,19 @@ TEST(Rejection, HalvesMakeTheStepsOfThatLength) {
   EXPECT_NEAR(motion.energy(), begin, 1e-10 * begin);
 }
 
-TEST(Rejection, TheLoadWorksAlongTheHalves) {
+TEST(Rejection, LoadAndDampingWorkAlongTheHalves) {
   const NewtonOptions<double> hasty{.iterations = 3};
-  auto motion =
-      test::start(test::random_polynomial(4, 20), nonlinear_avf<double>(), 1.0, VectorXd::Ones(4), 0, {}, hasty);
-  const double begin = motion.energy();
-  const VectorXd first = VectorXd::Zero(4), last = VectorXd::Constant(4, 40);
-  const auto outcome = step(motion.model, motion.state, {first, last}, 1.0, motion.workspace);
-  ASSERT_EQ(outcome.status, Status::done);
-  ASSERT_GT(outcome.rejected, 0);
-  EXPECT_NEAR(motion.energy() - begin, outcome.work, 1e-9 * begin);
+  const auto polynomial = test::random_polynomial(4, 20);
+  for (const Damping& damping : {Damping{}, Damping{.alpha = .3, .beta = .02, .ratio = {}}}) {
+    auto motion = test::start(polynomial, nonlinear_avf<double>(), 1.0, VectorXd::Ones(4), 0, damping, hasty);
+    const double begin = motion.energy();
+    const VectorXd first = VectorXd::Zero(4), last = VectorXd::Constant(4, 40);
+    const auto outcome = step(motion.model, motion.state, {first, last}, 1.0, motion.workspace);
+    ASSERT_EQ(outcome.status, Status::done);
+    ASSERT_GT(outcome.rejected, 0);
+    EXPECT_EQ(outcome.dissipated > 0, damping.alpha > 0);
+    EXPECT_NEAR(motion.energy() - begin, outcome.work - outcome.dissipated, 1e-9 * begin);
+  }
 }
 
 TEST(Rejection, LeavesTheStateWhenHalvingDoesNotHelp) {

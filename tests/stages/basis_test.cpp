@@ -75,6 +75,17 @@ TEST_P(Bases, LeaveOutNoMoreThanTheySay) {
     EXPECT_LE(left_out(r, b.U, set).norm(), 1.01 * best) << block;
     EXPECT_LE(b.reduction.discarded, 1.05 * best) << block;
   }
+  for (const double tolerance : {1e-1, 1e-2}) {
+    const auto b = basis_of(r, {.modes = {}, .derivatives = count, .cut = {.size = 0, .tolerance = tolerance}});
+    const auto& sigma = b.reduction.singular_values;
+    const Index kept = b.U.cols();
+    EXPECT_GT(sigma[kept - 1], tolerance * sigma[0]) << tolerance;
+    if (kept < sigma.size()) {
+      EXPECT_LE(sigma[kept], tolerance * sigma[0]) << tolerance;
+    }
+    EXPECT_LT(kept, set.cols()) << tolerance;
+    EXPECT_LE(left_out(r, b.U, set).norm(), b.reduction.discarded * (1 + 1e-6)) << tolerance;
+  }
 }
 
 TEST_P(Bases, DependentSnapshotsAreFoundOut) {

@@ -147,7 +147,8 @@ TEST(FullDynamics, GoesOnFromAState) {
     const DynamicOptions options{.integrator = integrator, .alpha = .1, .dt = .01};
     const auto whole = run.motion(options, run.rest(), 20, load);
     stages::DynamicState state = run.motion(options, run.rest(), 12, load);
-    stages::full_dynamics(run.model, options, state, 8, load, [&](const stages::DynamicState& s, const stages::DynamicReport&) { state = s; });
+    stages::full_dynamics(run.model, options, state, 8, load,
+                          [&](const stages::DynamicState& s, const stages::DynamicReport&) { state = s; });
     EXPECT_LE(stages::norm(run.model, state.u - whole.u), 1e-12 * stages::norm(run.model, whole.u));
     EXPECT_NEAR(state.energies.drift(), whole.energies.drift(), 1e-12);
   }

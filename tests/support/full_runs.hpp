@@ -38,8 +38,9 @@ struct FullRun {
                               std::int64_t steps, const stages::LoadAt& load, stages::DynamicReport* report = nullptr) {
     const auto first = stages::start_dynamics(model, options, start, load);
     stages::DynamicState last = first;
-    const auto done = stages::full_dynamics(model, options, first, steps, load,
-                                            [&](const stages::DynamicState& state, const stages::DynamicReport&) { last = state; });
+    const auto done =
+        stages::full_dynamics(model, options, first, steps, load,
+                              [&](const stages::DynamicState& state, const stages::DynamicReport&) { last = state; });
     if (report) *report = done;
     return last;
   }

@@ -39,7 +39,7 @@ TEST(RunOptions, AMode) {
 TEST(RunOptions, HelpNamesEveryOption) {
   const auto help = std::get<Help>(parse({"--help"})).text;
   for (const auto* option :
-       {"--scene", "--output", "--animate-mode", "--frames", "--every", "--timing", "--single", "--quiet"})
+       {"--scene", "--output", "--animate-mode", "--frames", "--every", "--timing", "--single", "--linear", "--quiet"})
     EXPECT_THAT(help, HasSubstr(option));
 }
 

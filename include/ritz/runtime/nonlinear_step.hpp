@@ -41,10 +41,11 @@ NonlinearWorkspace<Scalar> make_workspace(const NonlinearModel<Scalar>& model, c
 
 struct NonlinearOutcome {
   Status status = Status::done;
-  int iterations = 0;   ///< Newton iterations that solved for a correction, all parts of the step together
-  int evaluations = 0;  ///< of forces and tangents; along a step (AVF) two points count as one
-  int rejected = 0;     ///< attempts that did not converge, and were halved
-  double work = 0;      ///< of the load, J: Σ δ·(f_n + f_{n+1})/2 over the parts of the step
+  int iterations = 0;     ///< Newton iterations that solved for a correction, all parts of the step together
+  int evaluations = 0;    ///< of forces and tangents; along a step (AVF) two points count as one
+  int rejected = 0;       ///< attempts that did not converge, and were halved
+  double work = 0;        ///< of the load, J: Σ δ·(f_n + f_{n+1})/2 over the parts of the step
+  double dissipated = 0;  ///< by damping, J: Σ δ·D δ/Δt over the parts of the step
 };
 
 /// One step of `dt` seconds. An attempt that does not converge or is not finite is rejected and halved, as often as the

@@ -26,6 +26,7 @@ CASES = [
     bad("frames in two ways", TIME + LOAD, "-frames", "-every", words=["-frames", "3", "-every", "2"]),
     bad("a frame every 0 steps", TIME + LOAD, "-every", words=["-every", "0"]),
     bad("fewer than no frames", TIME + LOAD, "-frames", words=["-frames", "-1"]),
+    bad("a plan", TIME + LOAD, "-plan", "ritz-reduce", words=["-plan"]),
     bad("-secne", TIME + LOAD, "-secne", "-scene?", words=["-secne", "a"]),
     bad("an option of Newton's that is not there", TIME + LOAD, "-newton_snes_maxit", "-newton_snes_max_it?",
         words=["-newton_snes_maxit", "3"]),
