@@ -1,7 +1,9 @@
-# ritz_add_test(NAME SOURCES a.cpp ... LINKS layers... [RANKS 1 2 3] [TIMEOUT s] [OWN_EIGEN])
+# ritz_add_test(NAME SOURCES a.cpp ... LINKS layers... [RANKS 1 2 3] [SHARED FILTER] [TIMEOUT s] [OWN_EIGEN])
 # A GoogleTest executable test_NAME. With RANKS it is run under mpirun once for each number of ranks, with a main that
 # starts PETSc and fails on every rank when one rank fails; without, it is a serial program. OWN_EIGEN: the sources
 # change what Eigen's headers say.
+# SHARED: a GoogleTest filter of what reads ../shared; it is a test of its own, NAME_shared, which is skipped where that is
+# absent. "*": all of it.
 # Tests with the label "thorough" are left out of a quick run: whatever takes long, and ranks other than 2.
 find_package(GTest REQUIRED)
 include(CTest)
@@ -23,7 +25,7 @@ set(RITZ_LEAKS_AT_EXIT LSAN_OPTIONS=${RITZ_LEAKS})
 set(RITZ_LEAKS_BEFORE LSAN_OPTIONS=${RITZ_LEAKS}:leak_check_at_exit=0)
 
 function(ritz_add_test name)
-  cmake_parse_arguments(T "OWN_EIGEN" "TIMEOUT" "SOURCES;LINKS;RANKS" ${ARGN})
+  cmake_parse_arguments(T "OWN_EIGEN" "TIMEOUT;SHARED" "SOURCES;LINKS;RANKS" ${ARGN})
   if(NOT T_TIMEOUT)
     set(T_TIMEOUT 300)
   endif()
@@ -42,18 +44,34 @@ function(ritz_add_test name)
   if(T_RANKS)
     target_sources(${target} PRIVATE "${PROJECT_SOURCE_DIR}/tests/support/mpi_main.cpp")
     target_link_libraries(${target} PRIVATE ritz_petsc)
-    foreach(ranks IN LISTS T_RANKS)
-      add_test(NAME ${name}.${ranks} COMMAND ${MPIEXEC} -n ${ranks} $<TARGET_FILE:${target}>)
-      set_tests_properties(${name}.${ranks} PROPERTIES PROCESSORS ${ranks} TIMEOUT ${T_TIMEOUT}
-        SKIP_RETURN_CODE 77 ENVIRONMENT "${RITZ_MPI_ENVIRONMENT};${RITZ_LEAKS_BEFORE}")
-      if(NOT ranks EQUAL 2 AND 2 IN_LIST T_RANKS)
-        set_tests_properties(${name}.${ranks} PROPERTIES LABELS thorough)
-      endif()
-    endforeach()
   else()
-    target_link_libraries(${target} PRIVATE GTest::gtest_main)
-    add_test(NAME ${name} COMMAND ${target})
-    set_tests_properties(${name} PROPERTIES TIMEOUT ${T_TIMEOUT} ENVIRONMENT "${RITZ_MPI_ENVIRONMENT};${RITZ_LEAKS_AT_EXIT}")
+    target_sources(${target} PRIVATE "${PROJECT_SOURCE_DIR}/tests/support/serial_main.cpp")
+  endif()
+  if(T_SHARED STREQUAL "*")
+    ritz_run_test(${name} ${target} "*" ${T_TIMEOUT} "${T_RANKS}")
+  elseif(T_SHARED)
+    ritz_run_test(${name} ${target} "-${T_SHARED}" ${T_TIMEOUT} "${T_RANKS}")
+    ritz_run_test(${name}_shared ${target} "${T_SHARED}" ${T_TIMEOUT} "${T_RANKS}")
+  else()
+    ritz_run_test(${name} ${target} "*" ${T_TIMEOUT} "${T_RANKS}")
+  endif()
+endfunction()
+
+# Runs what a filter names, once for each number of ranks, or as a serial program where none is given.
+function(ritz_run_test name target filter timeout numbers)
+  set(command $<TARGET_FILE:${target}> --gtest_filter=${filter})
+  foreach(ranks IN LISTS numbers)
+    add_test(NAME ${name}.${ranks} COMMAND ${MPIEXEC} -n ${ranks} ${command})
+    set_tests_properties(${name}.${ranks} PROPERTIES PROCESSORS ${ranks} TIMEOUT ${timeout}
+      SKIP_RETURN_CODE 77 ENVIRONMENT "${RITZ_MPI_ENVIRONMENT};${RITZ_LEAKS_BEFORE}")
+    if(NOT ranks EQUAL 2 AND 2 IN_LIST numbers)
+      set_tests_properties(${name}.${ranks} PROPERTIES LABELS thorough)
+    endif()
+  endforeach()
+  if(NOT numbers)
+    add_test(NAME ${name} COMMAND ${command})
+    set_tests_properties(${name} PROPERTIES TIMEOUT ${timeout} SKIP_RETURN_CODE 77
+      ENVIRONMENT "${RITZ_MPI_ENVIRONMENT};${RITZ_LEAKS_AT_EXIT}")
   endif()
 endfunction()
 

@@ -6,6 +6,8 @@
 #include <sanitizer/lsan_interface.h>
 #endif
 
+#include "support/verdict.hpp"
+
 namespace {
 
 /// Prints failures of ranks other than 0, which have no other voice.
@@ -50,5 +52,5 @@ int main(int argc, char** argv) {
 #endif
   MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
   SlepcFinalize();
-  return failed;
+  return ritz::test::verdict(failed);
 }
