@@ -95,7 +95,7 @@ class Bench:
         if not cost:
             folder.mkdir(parents=True, exist_ok=True)
             done = self.full_once(scene, folder / "full.h5", ["-every", self.every(step)])
-            cost = {"wall": done.seconds, "memory": done.memory}
+            cost = {"wall": done.seconds}
             save(folder / "cost.json", cost)
         return folder, cost
 

@@ -23,10 +23,6 @@ class Done:
     seconds: float  # on the wall
     memory: float  # bytes at the most: of the largest process, times the ranks
 
-    def stage(self, name):
-        """Seconds of a stage that the program names."""
-        return float(re.search(rf"\b{name} +([0-9.]+) s", self.text)[1])
-
 
 def sentence(text):
     """The line of stderr in which a program, or else mpirun, complains."""

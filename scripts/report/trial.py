@@ -2,11 +2,11 @@
 import csv
 import dataclasses
 import math
-import re
 import shutil
 
 import numpy as np
 
+from energy_line import gained_and_lost
 from report import errors, programs
 from report.methods import BY_NAME
 from report.reference import tone_of
@@ -85,11 +85,7 @@ def finest_frames(bench, reference, run):
 
 def energy_printed(text):
     """Of a nonlinear motion; linear ones print none."""
-    said = re.search(r"at most (\S+) J gained and (\S+) J lost; .* at most (\S+) J", text)
-    if not said:
-        return float("nan")
-    gained, lost, largest = map(float, said.groups())
-    return max(gained, lost) / largest if largest > 0 else float("nan")
+    return max(gained_and_lost(text) or [float("nan")])
 
 
 def energy_drift(folder):

@@ -4,6 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from energy_line import gained_and_lost
+
 from .bench import SOFT, Broken
 
 BEAM = ["-mesh", "box:1,.1,.06/8,2,1/tet10", "-fix", "xmin", *SOFT]
@@ -41,8 +43,7 @@ class Said:
 
 def said(ran):
     steps = re.search(r"(\d+) steps rejected", ran.out)
-    energy = re.search(r"at most (\S+) J gained and (\S+) J lost; .* at most (\S+) J", ran.out)
+    energy = gained_and_lost(ran.out)
     if not steps or not energy:
         raise Broken(f"ritz-run printed no energy balance: {ran.out}")
-    gained, lost, brought = map(float, energy.groups())
-    return Said(int(steps.group(1)), gained / brought, lost / brought)
+    return Said(int(steps.group(1)), *energy)

@@ -206,7 +206,8 @@ class Restart(Full):
                     self.assertAlmostEqual(rest["state"].attrs[name], whole["state"].attrs[name], delta=1e-11)
 
     def test_with_another_integrator(self):
-        """Newmark goes on from the balanced acceleration, whatever stopped: AVF keeps the mean of its last step."""
+        """Newmark goes on from the balanced acceleration, whatever stopped: AVF keeps the mean of its last step, from which
+        it would come out 2 to 6 times as far off as is allowed here."""
         fine = SCENE.replace("step = 0.02", "step = 0.0005")
         self.full(*BEAM, *self.scene(integrator="newmark", text=fine, end=.2), "-output", "whole.h5", "-frames", "0")
         self.full(*BEAM, *self.scene(integrator="avf", text=fine, end=.18), "-output", "half.h5", "-frames", "0")
@@ -214,7 +215,7 @@ class Restart(Full):
                   "rest.h5", "-frames", "0")
         whole, rest = self.motion("whole.h5"), self.motion("rest.h5")
         self.assertEqual(rest["state"].attrs["integrator"], b"newmark")
-        for name, least in (("displacement", 1e-4), ("velocity", 1e-3), ("acceleration", 2e-2)):
+        for name, least in (("displacement", 1e-6), ("velocity", 5e-6), ("acceleration", 2e-5)):
             expected = whole["state"][name][:]
             self.assertLess(np.abs(rest["state"][name][:] - expected).max(), least * np.abs(expected).max(), name)
 

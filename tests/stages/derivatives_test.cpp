@@ -87,6 +87,18 @@ TEST_P(Derivatives, SolveTheirEquation) {
   }
 }
 
+TEST_P(Derivatives, ComeInBlocks) {
+  Index pairs = 0;
+  stages::derivatives(
+      r.source(), 2, [](Pair) { return 1.0; }, [] { return 0.0; },
+      [&](const stages::DerivativeBlock& block) {
+        EXPECT_LT(block.columns.cols(), 4) << "a row of pairs is longer";
+        EXPECT_EQ(block.columns.cols(), static_cast<Index>(block.pairs.size()));
+        pairs += block.columns.cols();
+      });
+  EXPECT_EQ(pairs, modes * (modes + 1) / 2);
+}
+
 // With the fewest directions kept and a low cut, what was not solved really does not matter.
 TEST_P(Derivatives, WhatIsSkippedIsSmall) {
   const auto all = all_derivatives(r);

@@ -64,9 +64,10 @@ TEST(RunNonlinear, FollowsTheOscillatorWithEveryIntegrator) {
 
 TEST(RunNonlinear, StaticsAreTheRootOfTheCubic) {
   const test::RunFolder folder;
-  const auto said =
-      test::run(folder.prepare("[static]\nsteps = 4\n" + load(26 * root2) + probe, test::nonlinear_sample_model()));
-  EXPECT_THAT(said, HasSubstr("4 load steps of 2 coordinates"));
+  auto options = folder.prepare("[static]\nsteps = 4\n" + load(26 * root2) + probe, test::nonlinear_sample_model());
+  options.timing = folder / "timing.csv";
+  EXPECT_THAT(test::run(options), HasSubstr("4 load steps of 2 coordinates"));
+  EXPECT_EQ(test::read_csv(folder / "timing.csv").rows.size(), 4u) << "the body at rest is no step";
   const auto rows = test::read_csv(folder / "probes.csv").rows;
   ASSERT_EQ(rows.size(), 5u);
   for (const auto& row : rows) {

@@ -26,6 +26,7 @@ UNKNOWN = [
     bad("a material of a region without a name", "-material__young 1", "-material__young"),
     bad("-modes_eps_tolx", "-modes_eps_tolx 1e-3", "-modes_eps_tolx", "-modes_eps_tol?"),
     bad("-solve_ksp_typo", "-solve_ksp_typo cg", "-solve_ksp_typo", "-solve_ksp_type?"),
+    bad("-solve_ksp_viewx", "-solve_ksp_viewx", "-solve_ksp_viewx", "-solve_ksp_view?"),
     bad("-solve_mat_mumps_incntl_14", "-solve_mat_mumps_incntl_14 30", "-solve_mat_mumps_incntl_14"),
     bad("-modes_st_pc_typ", "-modes_st_pc_typ lu", "-modes_st_pc_typ", "-modes_st_pc_type?"),
     bad("two dashes", "--modes 3", "--modes"),
