@@ -1,6 +1,7 @@
 #include "ritz/config/config.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <sstream>
 
 #include "ritz/base/error.hpp"
@@ -37,11 +38,27 @@ std::map<std::string, MaterialOptions> read_regions(Database& options) {
   return regions;
 }
 
+/// "*Tie, rigid body": words in capitals, without blanks and stars.
+mesh::Ignored read_ignored(Database& options) {
+  mesh::Ignored ignored;
+  const auto text = options.text("ignore");
+  if (!text) return ignored;
+  std::istringstream words(*text);
+  for (std::string word; std::getline(words, word, ',');) {
+    std::erase_if(word, [](char c) { return c == ' ' || c == '*'; });
+    for (char& c : word) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    if (word.empty()) throw InputError("option -ignore " + *text + ": there is an empty word in the list");
+    ignored.push_back(word);
+  }
+  return ignored;
+}
+
 mesh::Source read_source(Database& options) {
   mesh::Source source;
   source.units = mesh::parse_units(options.text("units", "m-kg-s"));
   source.partitioner = options.choice("partitioner", {"metis", "ptscotch"}, 0) == 0 ? mesh::Partitioner::metis
                                                                                     : mesh::Partitioner::ptscotch;
+  source.ignored = read_ignored(options);
   const auto mesh = options.text("mesh");
   if (!mesh)
     throw InputError(

@@ -59,22 +59,28 @@ void check(const fem::StVK& m, const std::string& region) {
 }  // namespace
 
 std::vector<fem::StVK> region_materials(const Config& config, const std::vector<mesh::Region>& regions) {
+  static const std::map<std::string, std::string> names = {
+      {"young", "Young's modulus"}, {"poisson", "Poisson's ratio"}, {"density", "density"}};
   const auto options = own_options(config, regions);
   const auto& units = config.source.units;
   std::vector<fem::StVK> materials;
   for (const auto& region : regions) {
     const MaterialOptions* own = options[materials.size()];
-    const auto value = [&](std::optional<double> MaterialOptions::*member, double factor, double fem::StVK::*from,
-                           const std::string& word) {
+    const auto value = [&](std::optional<double> MaterialOptions::*member, double factor,
+                           const std::optional<double>& of_file, const std::string& word) {
       if (own && own->*member) return *(own->*member) * factor;
       if (config.material.*member) return *(config.material.*member) * factor;
-      if (region.material) return *region.material.*from;
-      throw InputError("region '" + region.name + "' has no material: give -material_" + word + " or -material_" +
-                       underscored(region.name) + "_" + word);
+      if (of_file) return *of_file;
+      const auto options = "-material_" + word + " or -material_" + underscored(region.name) + "_" + word;
+      if (!region.material.unread_law.empty() && word != "density")
+        throw InputError(region.material.unread_law + "; another can be put in its place by " + options);
+      const bool bare = !region.material.young && !region.material.poisson && !region.material.density;
+      throw InputError("region '" + region.name + "' has no " + (bare ? "material" : names.at(word)) + ": give " +
+                       options);
     };
-    materials.push_back({value(&MaterialOptions::young, units.pressure(), &fem::StVK::young, "young"),
-                         value(&MaterialOptions::poisson, 1, &fem::StVK::poisson, "poisson"),
-                         value(&MaterialOptions::density, units.density(), &fem::StVK::density, "density")});
+    materials.push_back({value(&MaterialOptions::young, units.pressure(), region.material.young, "young"),
+                         value(&MaterialOptions::poisson, 1, region.material.poisson, "poisson"),
+                         value(&MaterialOptions::density, units.density(), region.material.density, "density")});
     check(materials.back(), region.name);
   }
   return materials;

@@ -15,6 +15,9 @@ constexpr std::array entries = std::to_array<OptionEntry>({
     {"partitioner", "metis | ptscotch", "", "metis", "what cuts a mesh file into one part a rank"},
     {"fix", "SET[:xyz],... | FILE.bou | box:x0,x1,y0,y1,z0,z1[:xyz] | none", "", "the mesh file's own",
      "what is held, and which components"},
+    {"ignore", "WORD,...", "", "none",
+     "keywords and element types of the mesh file that change the physics, that ritz cannot do, and that are left out "
+     "on your word, such as TIE,EQUATION; a warning stays in the model"},
     {"material_young", "E", "Pa, > 0", "the mesh file's",
      "Young's modulus; -material_REGION_young for one region, _ for a blank in its name"},
     {"material_poisson", "NU", "-1 < nu < 0.5", "the mesh file's", "Poisson's ratio; -material_REGION_poisson"},

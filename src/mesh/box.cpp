@@ -280,7 +280,7 @@ std::pair<Part, Shared> make_box(MPI_Comm comm, const Box& box) {
   const VertexGrid grid{box.cells, box.type == fem::CellType::tet10 ? 2 : 1};
   shared.vertices_total = grid.points(0) * grid.points(1) * grid.points(2);
   shared.cells_total = box.cells[0] * box.cells[1] * box.cells[2] * (box.type == fem::CellType::hex8 ? 1 : 6);
-  shared.regions = {{"body", std::nullopt}};
+  shared.regions = {{"body", {}}};
   shared.set_names = {"xmin", "xmax", "ymin", "ymax", "zmin", "zmax", "body"};
   return {maker.make(), std::move(shared)};
 }

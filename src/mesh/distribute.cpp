@@ -123,6 +123,7 @@ std::pair<Part, Shared> distribute(MPI_Comm comm, const FileMesh& mesh, Partitio
     shared.components = topology.components;
     shared.hanging_faces = topology.hanging_faces;
     shared.joints = topology.joints;
+    shared.notes = mesh.notes;
     if (partitioner == Partitioner::metis)
       owners = partition_metis(static_cast<Index>(mesh.cell_types.size()), topology.neighbours, ranks);
   });

@@ -8,16 +8,23 @@
 #include <vector>
 
 #include "ritz/fem/cell.hpp"
-#include "ritz/fem/material.hpp"
 
 namespace ritz::mesh {
 
 using Index = std::int64_t;
 
+/// What a file says of a material, in the file's units. What it leaves open is for the options to say.
+struct FileMaterial {
+  std::optional<double> young, poisson, density;
+  /// Where the file states an elastic law that ritz does not read: "FILE:LINE: material law X is not supported". The
+  /// options get past it by stating young and poisson themselves. Empty otherwise.
+  std::string unread_law = {};
+};
+
 /// A part of the mesh with one material: a Gmsh physical volume, a Vega region, an Abaqus solid section.
 struct Region {
   std::string name;
-  std::optional<fem::StVK> material;  ///< the file's own, in the file's units
+  FileMaterial material = {};
 };
 
 /// A face of the boundary as the file lists it (a cell of dimension 2): its vertices, corners first.
@@ -52,11 +59,16 @@ struct FileMesh {
   std::vector<Region> regions;
   std::vector<NamedSet> sets;
   std::vector<FileSupport> supports;
+  std::vector<std::string> notes;  ///< what a careful user is told of the file: a sentence each, with file and line
 };
+
+/// Keywords, element types and sections of a file that change the physics, that ritz cannot do, and that the user says
+/// to leave out (-ignore): in capitals and without blanks.
+using Ignored = std::vector<std::string>;
 
 /// Reads a mesh file; the ending tells the format (.msh, .veg, .inp, .vtu).
 /// Serial. Throws InputError naming file and line (or the XML element), never anything else.
-FileMesh read_file(const std::filesystem::path& path);
+FileMesh read_file(const std::filesystem::path& path, const Ignored& ignored = {});
 
 /// The vertices of a Vega .bou file (1-based numbers in the file), as positions 0-based, ascending.
 /// Throws InputError for a number that is not in 1 ... vertex_count.

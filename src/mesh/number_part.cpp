@@ -153,6 +153,7 @@ Mesh number_part(MPI_Comm comm, Part part, Shared shared) {
   mesh.dropped_vertices = shared.dropped_vertices;
   mesh.hanging_faces = shared.hanging_faces;
   mesh.regions = std::move(shared.regions);
+  mesh.notes = std::move(shared.notes);
   mesh.pieces = shared.pieces;
   mesh.components = shared.components;
   mesh.joints = std::move(shared.joints);

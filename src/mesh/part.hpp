@@ -39,6 +39,7 @@ struct Shared {
   std::vector<std::string> set_names;
   int pieces = 1, components = 1;
   std::vector<Joint> joints;
+  std::vector<std::string> notes;
 };
 
 /// Numbers a part: owned vertices first, ghosts after, global numbers from the owners. *Collective*.

@@ -51,7 +51,7 @@ void refuse_inverted_cells(const Mesh& mesh) {
 }
 
 std::vector<std::string> warnings(const Mesh& mesh) {
-  std::vector<std::string> notes;
+  auto notes = mesh.notes;
   Index slivers = 0;
   double smallest = 180;
   for (int c = 0; c < mesh.cells.owned; ++c) {

@@ -11,8 +11,8 @@ namespace ritz::mesh {
 /// there are. *Collective*.
 void refuse_inverted_cells(const Mesh& mesh);
 
-/// One sentence for each thing that a careful user would want to know: slivers under 1 degree, dropped vertices,
-/// faces that do not conform, several pieces. Same on all ranks. *Collective*.
+/// One sentence for each thing that a careful user would want to know: what the file's reader noted, slivers under 1
+/// degree, dropped vertices, faces that do not conform, several pieces. Same on all ranks. *Collective*.
 std::vector<std::string> warnings(const Mesh& mesh);
 
 }  // namespace ritz::mesh

@@ -13,12 +13,11 @@ namespace {
 void convert(FileMesh& mesh, const Units& units) {
   for (auto& point : mesh.points)
     for (double& x : point) x *= units.length;
-  for (auto& region : mesh.regions)
-    if (region.material) region.material = units.to_si(*region.material);
+  for (auto& region : mesh.regions) region.material = units.to_si(region.material);
 }
 
 FileMesh read_whole(const Source& source, const std::filesystem::path& path, Index& dropped) {
-  FileMesh mesh = read_file(path);
+  FileMesh mesh = read_file(path, source.ignored);
   for (const auto& list : source.vertex_lists)
     mesh.sets.push_back({list.string(), read_bou(list, static_cast<Index>(mesh.points.size())), {}});
   dropped = drop_unused_vertices(mesh);

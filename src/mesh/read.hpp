@@ -19,6 +19,7 @@ struct Source {
   std::variant<std::filesystem::path, Box> mesh;
   Units units;
   Partitioner partitioner = Partitioner::metis;
+  Ignored ignored;                                  ///< of the mesh file, on the user's word
   std::vector<std::filesystem::path> vertex_lists;  ///< .bou files: each becomes a set named by its path
 };
 

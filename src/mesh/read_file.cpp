@@ -8,7 +8,7 @@
 namespace ritz::mesh {
 namespace {
 
-using Reader = FileMesh (*)(Sources&, unsigned);
+using Reader = FileMesh (*)(Sources&, unsigned, const Ignored&);
 
 Reader reader_of(const std::filesystem::path& path) {
   const auto ending = upper(path.extension().string());
@@ -22,10 +22,10 @@ Reader reader_of(const std::filesystem::path& path) {
 
 }  // namespace
 
-FileMesh read_file(const std::filesystem::path& path) {
+FileMesh read_file(const std::filesystem::path& path, const Ignored& ignored) {
   const auto reader = reader_of(path);
   Sources sources;
-  return reader(sources, open(sources, path));
+  return reader(sources, open(sources, path), ignored);
 }
 
 }  // namespace ritz::mesh

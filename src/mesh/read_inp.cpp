@@ -50,7 +50,7 @@ std::string needed(const Deck& deck, const Keyword& keyword, std::string_view pa
   return *value;
 }
 
-FileMesh read_inp(Sources& sources, unsigned file) {
+FileMesh read_inp(Sources& sources, unsigned file, const Ignored&) {
   Deck deck(sources, file);
   InpModel model;
   while (const auto keyword = deck.next_keyword()) {

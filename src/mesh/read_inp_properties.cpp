@@ -81,7 +81,7 @@ void read_inp_elastic(Deck& deck, const Keyword& keyword, InpModel& model) {
   material.place = line.place;
   material.young = cursor.real("Young's modulus");
   material.poisson = cursor.real("Poisson's ratio");
-  const fem::StVK elastic{.young = *material.young, .poisson = *material.poisson, .density = 1};
+  const FileMaterial elastic{.young = material.young, .poisson = material.poisson, .density = {}};
   checked(deck.sources(), line.place, elastic);
 }
 

@@ -100,14 +100,13 @@ void resolve_surface(Resolver& look, const InpSurface& surface) {
   }
 }
 
-std::optional<fem::StVK> material_of(const Resolver& look, const InpSection& section) {
+FileMaterial material_of(const Resolver& look, const InpSection& section) {
   const auto found = look.model.materials.find(section.material);
   if (found == look.model.materials.end()) {
     fail(look.sources, section.place, "material " + section.material + " is not defined in the file");
   }
   const auto& material = found->second;
-  if (!material.young || !material.poisson || !material.density) return std::nullopt;
-  return fem::StVK{.young = *material.young, .poisson = *material.poisson, .density = *material.density};
+  return {.young = material.young, .poisson = material.poisson, .density = material.density};
 }
 
 void claim(const Resolver& look, const InpSection& section, Index cell) {
@@ -145,7 +144,7 @@ void regions_from_sets(Resolver& look) {
       mesh.cell_regions[c] = region;
       any = true;
     }
-    if (any) mesh.regions.push_back({.name = set.name, .material = std::nullopt});
+    if (any) mesh.regions.push_back({.name = set.name, .material = {}});
   };
   for (const auto& set : look.model.element_sets.sets) {
     if (!set.members.empty()) claim(set, cells_of(look, set));

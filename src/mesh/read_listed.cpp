@@ -52,7 +52,7 @@ void take_solids(const ListedMesh& from, FileMesh& to) {
     strays = strays || stray;
   }
   to.regions = from.regions;
-  if (strays) to.regions.push_back({.name = "default", .material = std::nullopt});
+  if (strays) to.regions.push_back({.name = "default", .material = {}});
 }
 
 }  // namespace
@@ -95,14 +95,23 @@ FileMesh finish(const Sources& sources, ListedMesh mesh) {
   result.points = std::move(mesh.points);
   result.vertex_ids = std::move(mesh.vertex_ids);
   result.supports = std::move(mesh.supports);
+  result.notes = std::move(mesh.notes);
   return result;
 }
 
-fem::StVK checked(const Sources& sources, Place place, const fem::StVK& material) {
-  if (!(material.young > 0)) fail(sources, place, "Young's modulus must be positive");
-  if (!(material.poisson > -1 && material.poisson < 0.5)) fail(sources, place, "Poisson's ratio must be in (-1, 1/2)");
-  if (!(material.density > 0)) fail(sources, place, "the density must be positive");
+FileMaterial checked(const Sources& sources, Place place, const FileMaterial& material) {
+  const auto& [young, poisson, density, unread_law] = material;
+  if (young && !(*young > 0)) fail(sources, place, "Young's modulus must be positive");
+  if (poisson && !(*poisson > -1 && *poisson < 0.5)) fail(sources, place, "Poisson's ratio must be in (-1, 1/2)");
+  if (density && !(*density > 0)) fail(sources, place, "the density must be positive");
   return material;
+}
+
+void leave_out(const Sources& sources, Place place, const std::string& word, const std::string& what,
+               const Ignored& ignored, ListedMesh& mesh) {
+  if (std::find(ignored.begin(), ignored.end(), word) == ignored.end())
+    fail(sources, place, what + "; '-ignore " + word + "' leaves it out, and the result is then of another model");
+  mesh.notes.push_back(located(sources, place) + what + "; it was left out (-ignore " + word + ")");
 }
 
 }  // namespace ritz::mesh

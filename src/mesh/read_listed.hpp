@@ -61,6 +61,7 @@ struct ListedMesh {
   std::vector<Region> regions;
   std::vector<ListedSet> sets;
   std::vector<FileSupport> supports;
+  std::vector<std::string> notes;  ///< what a careful user is told of the file, a sentence each
 
   std::span<const Index> vertices_of(Index cell) const {
     const auto begin = cell_offsets[static_cast<std::size_t>(cell)];
@@ -86,7 +87,13 @@ Numbering numbering(const Sources& sources, const ListedMesh& mesh);
 /// Solid cells without a region go into one named "default"; empty sets are left out. Throws InputError.
 FileMesh finish(const Sources& sources, ListedMesh mesh);
 
-/// `material` if it can exist (young > 0, -1 < poisson < 1/2, density > 0), else an InputError at `place`.
-fem::StVK checked(const Sources& sources, Place place, const fem::StVK& material);
+/// `material` if what it states can exist (young > 0, -1 < poisson < 1/2, density > 0), else an InputError at `place`.
+FileMaterial checked(const Sources& sources, Place place, const FileMaterial& material);
+
+/// The user's word on something of the file that changes the physics and that ritz cannot do. `word` (in capitals,
+/// without blanks) is what -ignore would name, `what` says what it is and what ritz lacks ("*TIE joins surfaces, which
+/// ritz cannot do"). Adds a note where the word is ignored, else throws InputError at `place` that names -ignore.
+void leave_out(const Sources& sources, Place place, const std::string& word, const std::string& what,
+               const Ignored& ignored, ListedMesh& mesh);
 
 }  // namespace ritz::mesh

@@ -74,7 +74,7 @@ void read_section(const Sources& sources, MshFile& msh, Version version, const S
 
 }  // namespace
 
-FileMesh read_msh(Sources& sources, unsigned file) {
+FileMesh read_msh(Sources& sources, unsigned file, const Ignored&) {
   MshFile msh{.input = {.cursor = Cursor(sources, file)}, .mesh = {}, .groups = {}, .entities = {}};
   auto& cursor = msh.input.cursor;
   std::optional<Version> version;

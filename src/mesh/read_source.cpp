@@ -38,16 +38,18 @@ unsigned open(Sources& sources, const std::filesystem::path& path) {
   return static_cast<unsigned>(sources.size() - 1);
 }
 
-void fail(const Sources& sources, Place place, const std::string& message) {
+std::string located(const Sources& sources, Place place) {
   const auto& source = sources[place.file];
   const auto name = source.path.string();
-  if (source.counting == Counting::bytes) {
-    throw InputError(name + ", byte " + std::to_string(place.offset) + ": " + readable(message));
-  }
+  if (source.counting == Counting::bytes) return name + ", byte " + std::to_string(place.offset) + ": ";
   const auto begin = source.bytes.begin();
   const auto offset = std::min<std::size_t>(place.offset, source.bytes.size());
   const auto line = 1 + std::count(begin, begin + static_cast<std::ptrdiff_t>(offset), '\n');
-  throw InputError(name + ":" + std::to_string(line) + ": " + readable(message));
+  return name + ":" + std::to_string(line) + ": ";
+}
+
+void fail(const Sources& sources, Place place, const std::string& message) {
+  throw InputError(located(sources, place) + readable(message));
 }
 
 void fail(const Sources& sources, const std::string& message) {

@@ -30,6 +30,9 @@ struct Place {
 /// Reads a file whole and returns its number. Throws InputError when it is absent, not a file, unreadable or empty.
 unsigned open(Sources& sources, const std::filesystem::path& path);
 
+/// "FILE:LINE: ", or "FILE, byte N: " for binary data.
+std::string located(const Sources& sources, Place place);
+
 /// Throws InputError("FILE:LINE: message"), or "FILE, byte N: message" for binary data.
 [[noreturn]] void fail(const Sources& sources, Place place, const std::string& message);
 

@@ -21,7 +21,7 @@ struct VegFile {
   ListedMesh mesh;
   std::map<std::string, std::vector<std::pair<Index, Place>>> sets;  ///< element numbers as in the file
   std::vector<std::string> set_order;
-  std::map<std::string, fem::StVK> materials;
+  std::map<std::string, FileMaterial> materials;
   std::vector<VegRegion> regions;
   Place last;
 };
@@ -124,7 +124,7 @@ void read_material(VegFile& veg, const std::string& name) {
   const double young = cursor.real("Young's modulus");
   const double poisson = cursor.real("Poisson's ratio");
   cursor.end_line();
-  const fem::StVK material{.young = young, .poisson = poisson, .density = density};
+  const FileMaterial material{.young = young, .poisson = poisson, .density = density};
   veg.materials[name] = checked(veg.lines.sources(), line.place, material);
 }
 
@@ -218,7 +218,7 @@ void resolve_regions(VegFile& veg) {
 
 }  // namespace
 
-FileMesh read_veg(Sources& sources, unsigned file) {
+FileMesh read_veg(Sources& sources, unsigned file, const Ignored&) {
   VegFile veg{.lines = Lines(sources, file),
               .mesh = {},
               .sets = {},

@@ -138,7 +138,7 @@ void add_vertex_sets(VtuMesh& from) {
 
 }  // namespace
 
-FileMesh read_vtu(Sources& sources, unsigned file) {
+FileMesh read_vtu(Sources& sources, unsigned file, const Ignored&) {
   const auto vtu = open_vtu(sources, file);
   const auto grid = vtu.document.child("VTKFile").child("UnstructuredGrid");
   if (!grid) vtu.fail(vtu.document.child("VTKFile"), "has no <UnstructuredGrid>");

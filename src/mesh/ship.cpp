@@ -136,14 +136,16 @@ void broadcast_shared(MPI_Comm comm, Shared& shared) {
   shared.components = static_cast<int>(counts[4]);
   shared.hanging_faces = counts[5];
   parallel::broadcast(comm, shared.set_names);
+  parallel::broadcast(comm, shared.notes);
 
-  std::vector<std::string> names;
+  std::vector<std::string> names, unread_laws;
   std::vector<double> materials, points;
   std::vector<std::int64_t> joints;
   for (const auto& region : shared.regions) {
     names.push_back(region.name);
-    const auto m = region.material.value_or(fem::StVK{0, 0, 0});
-    materials.insert(materials.end(), {region.material ? 1.0 : 0.0, m.young, m.poisson, m.density});
+    for (const auto& constant : {region.material.young, region.material.poisson, region.material.density})
+      materials.insert(materials.end(), {constant ? 1.0 : 0.0, constant.value_or(0)});
+    unread_laws.push_back(region.material.unread_law);
   }
   Packer packer;
   for (const auto& joint : shared.joints) {
@@ -151,15 +153,18 @@ void broadcast_shared(MPI_Comm comm, Shared& shared) {
     packer(joint.pieces);
   }
   parallel::broadcast(comm, names);
+  parallel::broadcast(comm, unread_laws);
   parallel::broadcast(comm, materials);
   parallel::broadcast(comm, points);
   parallel::broadcast(comm, packer.words);
   if (parallel::rank(comm) == 0) return;
 
   for (std::size_t r = 0; r < names.size(); ++r) {
-    const double* m = &materials[4 * r];
-    shared.regions.push_back({names[r], std::nullopt});
-    if (m[0] > 0) shared.regions.back().material = fem::StVK{m[1], m[2], m[3]};
+    const auto constant = [&](std::size_t i) {
+      const double* m = &materials[6 * r + 2 * i];
+      return m[0] > 0 ? std::optional(m[1]) : std::nullopt;
+    };
+    shared.regions.push_back({names[r], {constant(0), constant(1), constant(2), unread_laws[r]}});
   }
   Unpacker unpacker{packer.words};
   for (std::size_t j = 0; 3 * j < points.size(); ++j) {

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "ritz/fem/material.hpp"
+#include "ritz/mesh/file_mesh.hpp"
 
 namespace ritz::mesh {
 
@@ -16,7 +16,11 @@ struct Units {
 
   double pressure() const { return mass / (length * time * time); }
   double density() const { return mass / (length * length * length); }
-  fem::StVK to_si(fem::StVK m) const { return {m.young * pressure(), m.poisson, m.density * density()}; }
+  FileMaterial to_si(FileMaterial m) const {
+    if (m.young) *m.young *= pressure();
+    if (m.density) *m.density *= density();
+    return m;
+  }
 };
 
 /// "m-kg-s", "mm-t-s", "um-kg-s", "mm-kg-ms", "cm-g-s", ...: length-mass-time. Throws InputError for another word.

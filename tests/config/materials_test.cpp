@@ -13,7 +13,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
-const std::vector<mesh::Region> regions = {{"Steel", fem::StVK{200e9, .29, 7850}}, {"rubber", std::nullopt}};
+const std::vector<mesh::Region> regions = {{"Steel", {200e9, .29, 7850}}, {"rubber", {}}};
 const std::vector<std::string> general = {"-material_young",   "1e6", "-material_poisson", ".45",
                                           "-material_density", "1100"};
 
@@ -49,6 +49,27 @@ TEST(Materials, OfTheFileStandWhereNoOptionSpeaks) {
   EXPECT_EQ(all[0].poisson, .3);
   EXPECT_EQ(all[0].density, 7850);
   EXPECT_EQ(all[1].poisson, .4);
+}
+
+TEST(Materials, OfAFileAndOfOptionsCompleteEachOther) {
+  const std::vector<mesh::Region> partly = {{"steel", {.young = 2e11, .poisson = .3}}};
+  const auto all = region_materials(with_box({"-material_density", "7800"}), partly);
+  EXPECT_EQ(all[0].young, 2e11);
+  EXPECT_EQ(all[0].density, 7800);
+  EXPECT_THAT([&] { region_materials(with_box({}), partly); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("'steel' has no density"), HasSubstr("-material_density"))));
+}
+
+TEST(Materials, OfOptionsGetPastALawThatIsNotRead) {
+  const std::vector<mesh::Region> ortho = {{"wood", {.density = 700, .unread_law = "w.veg:9: law ORTHOTROPIC"}}};
+  const auto all = region_materials(with_box({"-material_young", "1e10", "-material_wood_poisson", ".3"}), ortho);
+  EXPECT_EQ(all[0].young, 1e10);
+  EXPECT_EQ(all[0].density, 700);
+  EXPECT_THAT(
+      [&] {
+        region_materials(with_box({"-material_young", "1e10"}), ortho);
+      },
+      ThrowsMessage<InputError>(AllOf(HasSubstr("w.veg:9: law ORTHOTROPIC"), HasSubstr("-material_poisson"))));
 }
 
 TEST(Materials, OfOptionsAreConvertedToSi) {

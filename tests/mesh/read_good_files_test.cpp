@@ -107,11 +107,10 @@ TEST(ReadMsh, SkipsUnknownSectionsInBinaryFilesToo) {
 
 TEST(ReadVeg, ReadsMaterialsAndNumbersFromZero) {
   const auto one = read_text("a.veg", veg_text());
-  ASSERT_TRUE(one.regions[0].material && one.regions[1].material);
-  EXPECT_EQ(one.regions[0].material->young, 2e11);
-  EXPECT_EQ(one.regions[0].material->poisson, 0.3);
-  EXPECT_EQ(one.regions[0].material->density, 7800);
-  EXPECT_EQ(one.regions[1].material->young, 1e6);
+  EXPECT_EQ(one.regions[0].material.young, 2e11);
+  EXPECT_EQ(one.regions[0].material.poisson, 0.3);
+  EXPECT_EQ(one.regions[0].material.density, 7800);
+  EXPECT_EQ(one.regions[1].material.young, 1e6);
   const auto zero = read_text("a.veg", R"(*VERTICES
 5 3 0 0
 0 0 0 0
@@ -164,10 +163,9 @@ TEST(ReadBou, ReadsNumbersHoweverTheyAreSeparated) {
 
 TEST(ReadInp, ReadsMaterialsSetsAndSupports) {
   const auto mesh = read_text("a.inp", inp_text());
-  ASSERT_TRUE(mesh.regions[0].material && mesh.regions[1].material);
-  EXPECT_EQ(mesh.regions[0].material->young, 2e11);
-  EXPECT_EQ(mesh.regions[0].material->density, 7800);
-  EXPECT_EQ(mesh.regions[1].material->poisson, 0.49);
+  EXPECT_EQ(mesh.regions[0].material.young, 2e11);
+  EXPECT_EQ(mesh.regions[0].material.density, 7800);
+  EXPECT_EQ(mesh.regions[1].material.poisson, 0.49);
   EXPECT_EQ(find_set(mesh, "Nall")->vertices.size(), 5u);
   EXPECT_EQ(find_set(mesh, "both")->vertices.size(), 5u);
   EXPECT_EQ(find_set(mesh, "feet")->vertices, (std::vector<Index>{0, 1, 2}));
@@ -240,8 +238,8 @@ TEST(ReadInp, MakesRegionsOfElementSetsWithoutSections) {
 
 TEST(ReadInp, LeavesAnIncompleteMaterialOut) {
   const auto mesh = read_text("a.inp", with(inp_text(), "*DENSITY\n7800.,\n", ""));
-  EXPECT_FALSE(mesh.regions[0].material);
-  EXPECT_TRUE(mesh.regions[1].material);
+  EXPECT_FALSE(mesh.regions[0].material.young);
+  EXPECT_TRUE(mesh.regions[1].material.young);
 }
 
 TEST(ReadInp, FollowsIncludes) {

@@ -39,10 +39,9 @@ TEST(SharedMeshes, OfVegaAreRightHandedWithTheirMaterials) {
     EXPECT_EQ(mesh.cell_types, std::vector(known.cells, known.type));
     for (std::size_t c = 0; c < known.cells; ++c) EXPECT_GT(corner_determinant(mesh, c), 0) << c;
     ASSERT_EQ(mesh.regions.size(), 1u);
-    ASSERT_TRUE(mesh.regions[0].material);
-    EXPECT_EQ(mesh.regions[0].material->young, 1e7);
-    EXPECT_EQ(mesh.regions[0].material->poisson, 0.45);
-    EXPECT_EQ(mesh.regions[0].material->density, 1000);
+    EXPECT_EQ(mesh.regions[0].material.young, 1e7);
+    EXPECT_EQ(mesh.regions[0].material.poisson, 0.45);
+    EXPECT_EQ(mesh.regions[0].material.density, 1000);
   }
   EXPECT_EQ(read_bou(shared / "models/beam3.bou", 208), (std::vector<Index>{50, 51, 102, 103, 154, 155, 206, 207}));
   EXPECT_EQ(read_bou(shared / "models/simpleBridge_tet.bou", 4000).size(), 121u);

@@ -13,10 +13,10 @@ using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
 void expect_steel(const char* units, double young, double density) {
-  const fem::StVK steel = parse_units(units).to_si({young, 0.29, density});
-  EXPECT_NEAR(steel.young / 206e9, 1, 1e-14) << units;
+  const FileMaterial steel = parse_units(units).to_si({young, 0.29, density});
+  EXPECT_NEAR(*steel.young / 206e9, 1, 1e-14) << units;
   EXPECT_EQ(steel.poisson, 0.29);
-  EXPECT_NEAR(steel.density / 7850, 1, 1e-14) << units;
+  EXPECT_NEAR(*steel.density / 7850, 1, 1e-14) << units;
 }
 
 TEST(Units, TurnSteelIntoSi) {
