@@ -20,7 +20,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
 endif()
 if(RITZ_SANITIZE)
   # GCC documents false alarms of this warning in instrumented code; the build without instruments has it.
-  target_compile_options(ritz_settings INTERFACE -Wno-maybe-uninitialized)
+  target_compile_options(ritz_settings INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   add_compile_options(${RITZ_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   add_link_options(${RITZ_SANITIZE})
 endif()

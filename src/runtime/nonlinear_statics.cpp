@@ -50,8 +50,9 @@ NonlinearOutcome find_rest(const NonlinearModel<Scalar>& model, StaticWorkspace<
 /// this is a quadratic, which three values tell.
 template <class Scalar>
 bool stays_stable(const NonlinearModel<Scalar>& model, const Vector<Scalar>& z, StaticWorkspace<Scalar>& workspace) {
-  auto& [options, at, factors, trial, load, way] = workspace;
-  way = trial - z;
+  auto& at = workspace.at;
+  auto &load = workspace.load, &way = workspace.residual;
+  way = workspace.trial - z;
   const auto stiffness_at = [&](Scalar s) {
     load = z + s * way;
     evaluate<Scalar>(model.forces, load, at);
