@@ -6,6 +6,10 @@
 #include "mesh/reader_fixture.hpp"
 
 namespace ritz::mesh::testing {
+
+const std::vector<std::array<double, 3>> two_tets_points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
+const std::vector<Index> two_tets_cells = {0, 1, 2, 3, 1, 2, 3, 4};
+
 namespace {
 
 constexpr int ids[] = {10, 7, 30, 4000, 50};

@@ -1,0 +1,74 @@
+// The motion of a cube as ritz-full writes it, changed in as many ways as the input has bytes for, and read as
+// snapshots and as a restart. Its HDF5 is of the old layout, without checksums: what bytes are damaged in it comes far.
+#include <fstream>
+#include <iterator>
+
+#include "fuzz/edits.hpp"
+#include "fuzz/parallel_setting.hpp"
+#include "fuzz/target.hpp"
+#include "ritz/app/full_file.hpp"
+#include "ritz/app/snapshots.hpp"
+#include "ritz/base/error.hpp"
+
+namespace ritz::fuzz {
+namespace {
+
+constexpr const char* problem = "0123456789abcdef";
+
+struct Sample : Cube {
+  std::vector<std::byte> image;
+  std::vector<std::string> paths;
+  Sample() {
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+    const auto path = as_file({}, "full.h5");
+    app::FullFile file(path, mesh, {{1e6, 0.3, 1000}}, {{0, 1}, {0, 1}, "s"});
+    const petsc::Tall u = Eigen::VectorXd::LinSpaced(mesh::components * mesh.owned, 0, 1);
+    file.frame(u);
+    file.frame(2 * u);
+    app::LastState last{app::StateKind::moving, "avf", {}, u, u, u};
+    for (const auto* name : {"t", "kinetic", "elastic", "work", "dissipated", "start"}) last.numbers[name] = 1;
+    file.keep(last, problem);
+    file.commit();
+    std::ifstream in(path, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+    const auto all = std::as_bytes(std::span(bytes));
+    image.assign(all.begin(), all.end());
+    paths = paths_in(open_image(image));
+  }
+};
+
+void read_as_restart(const std::filesystem::path& path, const mesh::Mesh& mesh) {
+  const auto state = app::read_last_state(path, mesh, problem);
+  if (!state.u.allFinite() || !state.v.allFinite() || !state.a.allFinite()) finding("a state that is not finite");
+  for (const auto& [name, value] : state.numbers)
+    if (!std::isfinite(value)) finding("a number of the state that is not finite: " + name);
+}
+
+void read_as_snapshots(const std::filesystem::path& path, const Sample& sample) {
+  if (!app::read_snapshots(path, sample.mesh, sample.dofs).allFinite()) finding("a snapshot that is not finite");
+}
+
+}  // namespace
+
+void read_input(Bytes input) {
+  static const Sample sample;
+  Choices choices(input);
+  std::vector<std::byte> image = sample.image;
+  if (choices.below(2) == 0) {
+    const auto file = open_image(sample.image);
+    for (int edits = 0; edits < 4 && !choices.ended(); ++edits) edit(file, sample.paths, choices);
+    image = image_of(file);
+  } else {
+    damage(image, choices);
+  }
+  const auto path = as_file({reinterpret_cast<const std::uint8_t*>(image.data()), image.size()}, "full.h5");
+  try {
+    read_as_restart(path, sample.mesh);
+  } catch (const InputError&) {
+    read_as_snapshots(path, sample);
+    throw;
+  }
+  read_as_snapshots(path, sample);
+}
+
+}  // namespace ritz::fuzz

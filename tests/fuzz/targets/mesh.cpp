@@ -1,0 +1,61 @@
+// A mesh file of the format that RITZ_FUZZ_MESH names by its ending: refused, or a mesh in which every number is in
+// range.
+#include <algorithm>
+#include <cmath>
+
+#include "fuzz/target.hpp"
+#include "ritz/mesh/file_mesh.hpp"
+
+namespace ritz::fuzz {
+namespace {
+
+using mesh::Index;
+
+void require(bool holds, const char* what) {
+  if (!holds) finding(what);
+}
+
+bool in_range(const std::vector<Index>& numbers, std::size_t count) {
+  return std::all_of(numbers.begin(), numbers.end(), [&](Index i) { return i >= 0 && i < static_cast<Index>(count); });
+}
+
+void check_cells(const mesh::FileMesh& mesh) {
+  const auto cells = mesh.cell_types.size();
+  require(cells > 0, "a mesh without cells");
+  require(mesh.cell_ids.size() == cells && mesh.cell_regions.size() == cells, "a property of cells has another length");
+  require(mesh.cell_offsets.size() == cells + 1 && mesh.cell_offsets.front() == 0 &&
+              mesh.cell_offsets.back() == static_cast<Index>(mesh.cell_vertices.size()) &&
+              std::is_sorted(mesh.cell_offsets.begin(), mesh.cell_offsets.end()),
+          "offsets of cells that are none");
+  require(in_range(mesh.cell_vertices, mesh.points.size()), "a cell with a vertex that there is not");
+  for (const auto region : mesh.cell_regions)
+    require(region >= 0 && static_cast<std::size_t>(region) < mesh.regions.size(),
+            "a cell with a region that there is not");
+}
+
+void check_points(const mesh::FileMesh& mesh) {
+  require(mesh.vertex_ids.size() == mesh.points.size(), "as many numbers as points");
+  for (const auto& point : mesh.points)
+    for (const double x : point) require(std::isfinite(x), "a coordinate that is not finite");
+}
+
+void check_sets(const mesh::FileMesh& mesh) {
+  for (const auto& set : mesh.sets) {
+    require(in_range(set.vertices, mesh.points.size()), "a set with a vertex that there is not");
+    require(std::adjacent_find(set.vertices.begin(), set.vertices.end(), std::greater_equal<>()) == set.vertices.end(),
+            "a set whose vertices do not ascend");
+  }
+  for (const auto& support : mesh.supports)
+    require(in_range(support.vertices, mesh.points.size()), "a support of a vertex that there is not");
+}
+
+}  // namespace
+
+void read_input(Bytes input) {
+  const auto mesh = mesh::read_file(as_file(input, "mesh" RITZ_FUZZ_MESH));
+  check_points(mesh);
+  check_cells(mesh);
+  check_sets(mesh);
+}
+
+}  // namespace ritz::fuzz
