@@ -136,7 +136,7 @@ void repeat_part(std::string& text, const Material& material, Random& random) {
   auto part = text.substr(begin, std::min<std::size_t>(length, 64));
   if (!material.words.empty() && random.below(2) == 0) part = material.words[random.below(material.words.size())];
   std::string many;
-  for (auto times = std::size_t{1} << random.below(15); times > 0 && many.size() < most_bytes; --times) many += part;
+  for (auto times = std::size_t{1} << random.below(16); times > 0 && many.size() < most_bytes; --times) many += part;
   text.insert(begin, many);
 }
 
