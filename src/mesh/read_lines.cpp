@@ -1,5 +1,6 @@
 #include "ritz/mesh/read_lines.hpp"
 
+#include <algorithm>
 #include <system_error>
 
 #include "ritz/base/error.hpp"
@@ -18,6 +19,20 @@ std::optional<Line> Lines::next() {
   return Line{.place = place, .text = text};
 }
 
+// A file that is included again stays in memory once; what is read again is in proportion to what there is.
+std::optional<unsigned> Lines::included_before(const std::filesystem::path& path, Place at) {
+  if (++includes_ > 1000) fail(at, "more than 1000 files are included, one inside another or again and again");
+  const auto found =
+      std::find_if(sources_->begin(), sources_->end(), [&](const auto& source) { return source.path == path; });
+  if (found == sources_->end()) return std::nullopt;
+  std::size_t bytes = 0;
+  for (const auto& source : *sources_) bytes += source.bytes.size();
+  repeated_bytes_ += found->bytes.size();
+  if (repeated_bytes_ > 16 * bytes + (std::size_t{1} << 24))
+    fail(at, "the files that are included again and again are out of proportion to what they hold; include each once");
+  return static_cast<unsigned>(found - sources_->begin());
+}
+
 void Lines::include(std::string_view name, Place at) {
   if (name.empty()) fail(at, "*INCLUDE names no file");
   const auto path = (*sources_)[at.file].path.parent_path() / name;
@@ -27,8 +42,9 @@ void Lines::include(std::string_view name, Place at) {
       fail(at, "'" + std::string(name) + "' includes itself");
     }
   }
+  const auto before = included_before(path, at);
   try {
-    stack_.emplace_back(*sources_, open(*sources_, path));
+    stack_.emplace_back(*sources_, before ? *before : open(*sources_, path));
   } catch (const InputError& error) {
     fail(at, std::string("cannot include ") + error.what());
   }

@@ -20,7 +20,7 @@ class Lines {
   /// The next line, blank ones too; empty at the end of the outermost file.
   std::optional<Line> next();
   /// Goes on with the file of that name, relative to the file that `at` is in. Throws InputError when it cannot be
-  /// read or includes itself.
+  /// read, includes itself, or when files that include each other again and again would be read without end.
   void include(std::string_view name, Place at);
 
   const Sources& sources() const { return *sources_; }
@@ -28,8 +28,12 @@ class Lines {
   [[noreturn]] void fail(Place place, const std::string& message) const { mesh::fail(*sources_, place, message); }
 
  private:
+  std::optional<unsigned> included_before(const std::filesystem::path& path, Place at);
+
   Sources* sources_;
   std::vector<Cursor> stack_;
+  unsigned includes_ = 0;
+  std::size_t repeated_bytes_ = 0;  ///< of files that were included before
 };
 
 }  // namespace ritz::mesh

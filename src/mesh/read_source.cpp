@@ -17,6 +17,22 @@ std::string readable(std::string message) {
   return message;
 }
 
+// A mesh file may include any file that the user can read; a message shows nothing that stands in quotes of such a
+// file, except what it tells the user to say.
+std::string without_quotes(const std::string& message) {
+  std::string result;
+  for (std::size_t at = 0; at < message.size();) {
+    const auto begin = message.find('\'', at);
+    const auto end = begin == message.npos ? message.npos : message.find('\'', begin + 1);
+    result += message.substr(at, begin == message.npos ? begin : begin - at);
+    if (begin == message.npos) break;
+    const auto quoted = message.substr(begin, end == message.npos ? end : end + 1 - begin);
+    result += quoted.starts_with("'-ignore ") ? quoted : "'...'";
+    at = end == message.npos ? message.size() : end + 1;
+  }
+  return result;
+}
+
 }  // namespace
 
 unsigned open(Sources& sources, const std::filesystem::path& path) {
@@ -49,7 +65,7 @@ std::string located(const Sources& sources, Place place) {
 }
 
 void fail(const Sources& sources, Place place, const std::string& message) {
-  throw InputError(located(sources, place) + readable(message));
+  throw InputError(located(sources, place) + readable(place.file == 0 ? message : without_quotes(message)));
 }
 
 void fail(const Sources& sources, const std::string& message) {

@@ -33,7 +33,8 @@ unsigned open(Sources& sources, const std::filesystem::path& path);
 /// "FILE:LINE: ", or "FILE, byte N: " for binary data.
 std::string located(const Sources& sources, Place place);
 
-/// Throws InputError("FILE:LINE: message"), or "FILE, byte N: message" for binary data.
+/// Throws InputError("FILE:LINE: message"), or "FILE, byte N: message" for binary data. Of a file that another one
+/// includes, what `message` has in quotes ('...') is left out: a foreign file is not shown.
 [[noreturn]] void fail(const Sources& sources, Place place, const std::string& message);
 
 /// Throws InputError("FILE: message"), for what is wrong with the mesh file as a whole.

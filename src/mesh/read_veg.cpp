@@ -42,7 +42,7 @@ Line need_line(VegFile& veg, const std::string& what) {
   const auto line = next_line(veg);
   if (!line) veg.lines.fail(veg.last, "expected " + what + ", found the end of the file");
   if (line->text.front() == '*') {
-    veg.lines.fail(line->place, "expected " + what + ", found " + std::string(line->text.substr(0, 24)));
+    veg.lines.fail(line->place, "expected " + what + ", found '" + std::string(line->text.substr(0, 24)) + "'");
   }
   return *line;
 }
@@ -86,7 +86,7 @@ Shape read_shape(VegFile& veg) {
   const auto line = need_line(veg, "TET or CUBIC");
   if (line.text.starts_with("TET")) return Shape::tet4;
   if (line.text.starts_with("CUBIC")) return Shape::hex8;
-  veg.lines.fail(line.place, "expected TET or CUBIC, found " + std::string(line.text.substr(0, 24)));
+  veg.lines.fail(line.place, "expected TET or CUBIC, found '" + std::string(line.text.substr(0, 24)) + "'");
 }
 
 void read_elements(VegFile& veg) {
