@@ -72,8 +72,8 @@ std::vector<fem::StVK> region_materials(const Config& config, const std::vector<
       if (config.material.*member) return *(config.material.*member) * factor;
       if (of_file) return *of_file;
       const auto options = "-material_" + word + " or -material_" + underscored(region.name) + "_" + word;
-      if (!region.material.unread_law.empty() && word != "density")
-        throw InputError(region.material.unread_law + "; another can be put in its place by " + options);
+      const auto& unread = word == "density" ? region.material.unread_density : region.material.unread_law;
+      if (!unread.empty()) throw InputError(unread + "; another can be put in its place by " + options);
       const bool bare = !region.material.young && !region.material.poisson && !region.material.density;
       throw InputError("region '" + region.name + "' has no " + (bare ? "material" : names.at(word)) + ": give " +
                        options);

@@ -19,6 +19,8 @@ struct FileMaterial {
   /// Where the file states an elastic law that ritz does not read: "FILE:LINE: material law X is not supported". The
   /// options get past it by stating young and poisson themselves. Empty otherwise.
   std::string unread_law = {};
+  /// The same of a density that ritz does not read, such as one that depends on temperature.
+  std::string unread_density = {};
 };
 
 /// A part of the mesh with one material: a Gmsh physical volume, a Vega region, an Abaqus solid section.

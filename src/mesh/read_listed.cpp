@@ -100,7 +100,7 @@ FileMesh finish(const Sources& sources, ListedMesh mesh) {
 }
 
 FileMaterial checked(const Sources& sources, Place place, const FileMaterial& material) {
-  const auto& [young, poisson, density, unread_law] = material;
+  const auto &young = material.young, &poisson = material.poisson, &density = material.density;
   if (young && !(*young > 0)) fail(sources, place, "Young's modulus must be positive");
   if (poisson && !(*poisson > -1 && *poisson < 0.5)) fail(sources, place, "Poisson's ratio must be in (-1, 1/2)");
   if (density && !(*density > 0)) fail(sources, place, "the density must be positive");

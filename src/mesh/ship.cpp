@@ -138,7 +138,7 @@ void broadcast_shared(MPI_Comm comm, Shared& shared) {
   parallel::broadcast(comm, shared.set_names);
   parallel::broadcast(comm, shared.notes);
 
-  std::vector<std::string> names, unread_laws;
+  std::vector<std::string> names, unread_laws, unread_densities;
   std::vector<double> materials, points;
   std::vector<std::int64_t> joints;
   for (const auto& region : shared.regions) {
@@ -146,6 +146,7 @@ void broadcast_shared(MPI_Comm comm, Shared& shared) {
     for (const auto& constant : {region.material.young, region.material.poisson, region.material.density})
       materials.insert(materials.end(), {constant ? 1.0 : 0.0, constant.value_or(0)});
     unread_laws.push_back(region.material.unread_law);
+    unread_densities.push_back(region.material.unread_density);
   }
   Packer packer;
   for (const auto& joint : shared.joints) {
@@ -154,6 +155,7 @@ void broadcast_shared(MPI_Comm comm, Shared& shared) {
   }
   parallel::broadcast(comm, names);
   parallel::broadcast(comm, unread_laws);
+  parallel::broadcast(comm, unread_densities);
   parallel::broadcast(comm, materials);
   parallel::broadcast(comm, points);
   parallel::broadcast(comm, packer.words);
@@ -164,7 +166,7 @@ void broadcast_shared(MPI_Comm comm, Shared& shared) {
       const double* m = &materials[6 * r + 2 * i];
       return m[0] > 0 ? std::optional(m[1]) : std::nullopt;
     };
-    shared.regions.push_back({names[r], {constant(0), constant(1), constant(2), unread_laws[r]}});
+    shared.regions.push_back({names[r], {constant(0), constant(1), constant(2), unread_laws[r], unread_densities[r]}});
   }
   Unpacker unpacker{packer.words};
   for (std::size_t j = 0; 3 * j < points.size(); ++j) {

@@ -101,7 +101,8 @@ TEST(Pieces, OfVerticesAreKnownOnAllRanks) {
 
 TEST(FileMesh, CarriesMaterialsSupportsAndSets) {
   FileMesh file = file_of_box("box:2,1,1/2,1,1/hex8");
-  file.regions = {{"soft", {1e6, .3, 1000}}, {"bare", {.density = 500, .unread_law = "deck.inp:3: law"}}};
+  file.regions = {{"soft", {1e6, .3, 1000}},
+                  {"bare", {.density = 500, .unread_law = "deck.inp:3: law", .unread_density = "deck.inp:5: rho"}}};
   file.cell_regions = {0, 1};
   file.notes = {"deck.inp:9: a note"};
   file.supports = {{{0, 3, 6, 9}, {true, false, true}}};
@@ -113,6 +114,7 @@ TEST(FileMesh, CarriesMaterialsSupportsAndSets) {
   EXPECT_FALSE(mesh.regions[1].material.young);
   EXPECT_EQ(mesh.regions[1].material.density, 500);
   EXPECT_EQ(mesh.regions[1].material.unread_law, "deck.inp:3: law");
+  EXPECT_EQ(mesh.regions[1].material.unread_density, "deck.inp:5: rho");
   EXPECT_EQ(mesh.notes, std::vector<std::string>{"deck.inp:9: a note"});
   for (int c = 0; c < mesh.cells.count(); ++c)
     EXPECT_EQ(mesh.cells.regions[static_cast<std::size_t>(c)], mesh.cells.numbers[static_cast<std::size_t>(c)]);
