@@ -35,6 +35,17 @@ Index IdMap::find(Index id) const {
   return at != sorted_.end() && at->first == id ? at->second : -1;
 }
 
+std::uint64_t IdMap::looked_at(Index first, Index last, Index step) const {
+  if (!dense_.empty()) {
+    const Index begin = std::max(first, first_), end = std::min(last, first_ + static_cast<Index>(dense_.size()) - 1);
+    return begin > end ? 1 : static_cast<std::uint64_t>((end - begin) / step + 1);
+  }
+  const auto before = [](const auto& entry, Index id) { return entry.first < id; };
+  const auto begin = std::lower_bound(sorted_.begin(), sorted_.end(), first, before);
+  const auto end = std::lower_bound(begin, sorted_.end(), last, before);
+  return static_cast<std::uint64_t>(end - begin) + 1;
+}
+
 std::vector<Index> IdMap::range(Index first, Index last, Index step) const {
   std::vector<Index> positions;
   if (!dense_.empty()) {

@@ -20,6 +20,8 @@ class IdMap {
   std::optional<Index> duplicate() const { return duplicate_; }
   /// The positions of the listed ids among first, first + step, ... <= last (0 <= first <= last, step > 0).
   std::vector<Index> range(Index first, Index last, Index step) const;
+  /// How many numbers range() looks at.
+  std::uint64_t looked_at(Index first, Index last, Index step) const;
 
  private:
   Index first_ = 0;

@@ -1,6 +1,7 @@
 // What an .inp file says, before names and numbers are looked up: an order of keywords is not prescribed.
 #pragma once
 #include <map>
+#include <set>
 
 #include "ritz/mesh/read_inp_deck.hpp"
 #include "ritz/mesh/read_listed.hpp"
@@ -15,10 +16,21 @@ struct InpMember {
   Place place;
 };
 
+/// A set as it stood when another one took it in: the first so many of each of its lists.
+struct InpPart {
+  std::size_t set;  ///< position in InpSets::sets
+  std::size_t positions;
+  std::size_t members;
+  std::size_t parts;
+  std::size_t element_sets;
+};
+
+/// The lists only grow, so that an InpPart keeps its meaning.
 struct InpSet {
   std::string name;                       ///< as first written
   std::vector<Index> positions;           ///< listed by NSET= of *NODE or ELSET= of *ELEMENT
   std::vector<InpMember> members;         ///< listed by *NSET or *ELSET
+  std::vector<InpPart> parts;             ///< sets named in *NSET or *ELSET
   std::vector<std::size_t> element_sets;  ///< a node set's ELSET=: positions in InpModel::element_sets
 };
 
@@ -31,6 +43,8 @@ struct InpSets {
   /// The position of that set, made if need be.
   std::size_t made(const std::string& name);
 };
+
+InpPart whole(const InpSets& sets, std::size_t set);
 
 /// A line of *SURFACE: a set or a number, and a face label (may be empty).
 struct InpSurfaceEntry {
@@ -47,11 +61,18 @@ struct InpSurface {
   std::vector<InpSurfaceEntry> entries;
 };
 
+/// What a material states that ritz does not read ("*HYPERELASTIC is not read"), and where; empty otherwise.
+struct InpUnread {
+  std::string what;
+  Place place;
+};
+
 struct InpMaterial {
   std::optional<double> young;
   std::optional<double> poisson;
   std::optional<double> density;
-  Place place = {};
+  InpUnread law = {};
+  InpUnread unread_density = {};
 };
 
 struct InpSection {
@@ -60,13 +81,38 @@ struct InpSection {
   Place place;
 };
 
-struct InpBoundary {
-  std::string target;  ///< a node set, a node, or an element set: its elements' nodes
-  std::array<bool, 3> components;
+/// A section, or a transformed coordinate system, that changes the physics where its set holds anything.
+struct InpStructure {
+  std::string word;  ///< for -ignore
+  std::string what;
+  std::string set;
   Place place;
 };
 
+enum class InpMotion { none, prescribed };
+
+struct InpBoundary {
+  std::string target;  ///< a node set, a node, or an element set: its elements' nodes
+  std::array<bool, 3> components;
+  InpMotion motion;  ///< prescribed: a displacement other than zero
+  Place place;
+};
+
+/// The model data (the first one, before any *STEP), or a step.
+struct InpStep {
+  Place place = {};
+  std::vector<InpBoundary> boundaries = {};
+  bool own_supports = false;            ///< a *BOUNDARY stands in it
+  bool replaces_supports = false;       ///< whose first says OP=NEW
+  std::optional<Place> frequency = {};  ///< *FREQUENCY
+  std::optional<Place> preloaded = {};  ///< PERTURBATION: it starts from the stress of the steps before
+  std::optional<Place> nonlinear = {};  ///< NLGEOM
+  bool loaded = false;                  ///< a load stands in it
+  bool spinning = false;                ///< with CENTRIF or another body load, which changes the stiffness
+};
+
 struct InpModel {
+  Ignored ignored;
   ListedMesh mesh;
   InpSets node_sets;
   InpSets element_sets;
@@ -74,7 +120,14 @@ struct InpModel {
   std::map<std::string, InpMaterial> materials;  ///< by name in capitals
   std::string material;                          ///< the one being defined
   std::vector<InpSection> sections;
-  std::vector<InpBoundary> boundaries;
+  std::vector<InpStructure> structures;  ///< sections of shells, beams, membranes
+  std::vector<InpStructure> transforms;
+  std::vector<InpStep> steps = {{}};
+  std::vector<InpBoundary> boundaries;                       ///< those in effect, of different targets
+  std::vector<std::pair<Index, std::string>> element_types;  ///< the first cell of each *ELEMENT, and its type
+  std::optional<Place> temperatures;
+  bool expands = false;         ///< *EXPANSION: a change of temperature strains the body
+  std::set<std::string> words;  ///< of -ignore, that the file had a use for
 };
 
 /// One function a keyword: reads its data lines into the model.
@@ -85,12 +138,38 @@ void read_inp_elset(Deck& deck, const Keyword& keyword, InpModel& model);
 void read_inp_surface(Deck& deck, const Keyword& keyword, InpModel& model);
 void read_inp_material(Deck& deck, const Keyword& keyword, InpModel& model);
 void read_inp_elastic(Deck& deck, const Keyword& keyword, InpModel& model);
+void read_inp_other_law(Deck& deck, const Keyword& keyword, InpModel& model);
 void read_inp_density(Deck& deck, const Keyword& keyword, InpModel& model);
+void read_inp_expansion(Deck& deck, const Keyword& keyword, InpModel& model);
 void read_inp_section(Deck& deck, const Keyword& keyword, InpModel& model);
+void read_inp_structure(Deck& deck, const Keyword& keyword, InpModel& model);
+void read_inp_transform(Deck& deck, const Keyword& keyword, InpModel& model);
 void read_inp_boundary(Deck& deck, const Keyword& keyword, InpModel& model);
+void read_inp_step(Deck& deck, const Keyword& keyword, InpModel& model);
+void read_inp_frequency(Deck& deck, const Keyword& keyword, InpModel& model);
+void read_inp_load(Deck& deck, const Keyword& keyword, InpModel& model);
+void read_inp_temperature(Deck& deck, const Keyword& keyword, InpModel& model);
+void read_inp_initial_conditions(Deck& deck, const Keyword& keyword, InpModel& model);
+
+using InpHandler = void (*)(Deck&, const Keyword&, InpModel&);
+/// What is done about a keyword of that name: it is obeyed, passed over because it changes nothing that ritz computes,
+/// noted, or refused unless the user leaves it out.
+InpHandler inp_handler(const std::string& name);
 
 /// The value of a parameter that must be there.
 std::string needed(const Deck& deck, const Keyword& keyword, std::string_view parameter);
+
+/// Leaves out what `what` says, once a word, as leave_out does; `words` are names for the same thing, the first of them
+/// the one that the error proposes.
+void leave_out(const Sources& sources, Place place, const std::vector<std::string>& words, const std::string& what,
+               InpModel& model);
+
+/// The type of a cell as its *ELEMENT says it.
+const std::string& element_type(const InpModel& model, Index cell);
+
+/// Puts the supports that count into `boundaries`: those of the first frequency step, else of the last step. Adds a
+/// note where others differ. Throws InputError where the frequency step starts from a stress.
+void choose_supports(const Sources& sources, InpModel& model);
 
 /// Looks up every name and number, and checks the mesh. Throws InputError.
 FileMesh resolve_inp(const Sources& sources, InpModel model);

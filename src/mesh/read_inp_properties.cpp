@@ -1,4 +1,4 @@
-// *MATERIAL, *ELASTIC, *DENSITY, *SOLID SECTION and *BOUNDARY.
+// *MATERIAL and what stands under it, *SOLID SECTION and other sections.
 #include <algorithm>
 
 #include "ritz/mesh/read_inp_model.hpp"
@@ -7,65 +7,38 @@ namespace ritz::mesh {
 namespace {
 
 InpMaterial& current_material(const Deck& deck, const Keyword& keyword, InpModel& model) {
-  if (model.material.empty()) deck.fail(keyword.place, "*" + keyword.name + " stands before any *MATERIAL");
+  if (model.material.empty()) deck.fail(keyword.place, "*" + keyword.title + " stands before any *MATERIAL");
   return model.materials[model.material];
 }
 
-Line only_line(Deck& deck, const Keyword& keyword) {
-  const auto line = deck.next_data();
-  if (!line) deck.fail(keyword.place, "*" + keyword.name + " has no data line");
-  if (const auto more = deck.next_data()) {
-    deck.fail(more->place,
-              "*" + keyword.name + " with more than one line (a dependence on temperature) is not supported");
+// The constants in front of each data line, which may go on with a temperature and fields. Nothing where they differ
+// from line to line.
+template <std::size_t count, class Check>
+std::optional<std::array<double, count>> constants(Deck& deck, const Keyword& keyword,
+                                                   const std::array<std::string_view, count>& names, Check check) {
+  std::optional<std::array<double, count>> first;
+  bool depends = false;
+  while (const auto line = deck.next_data()) {
+    auto cursor = deck.cursor(*line);
+    std::array<double, count> values;
+    for (std::size_t i = 0; i < count; ++i) values[i] = cursor.real(names[i]);
+    check(*line, values);
+    depends = depends || (first && *first != values);
+    first = first.value_or(values);
   }
-  return *line;
+  if (!first) deck.fail(keyword.place, "*" + keyword.title + " has no data line");
+  return depends ? std::nullopt : first;
 }
 
-struct NamedCondition {
-  std::string_view name;
-  std::array<bool, 3> components;
-};
-
-constexpr NamedCondition conditions[] = {{"ENCASTRE", {true, true, true}}, {"PINNED", {true, true, true}},
-                                         {"XSYMM", {true, false, false}},  {"YSYMM", {false, true, false}},
-                                         {"ZSYMM", {false, false, true}},  {"XASYMM", {false, true, true}},
-                                         {"YASYMM", {true, false, true}},  {"ZASYMM", {true, true, false}}};
-
-Index degree_of_freedom(const Deck& deck, const Line& field) {
-  auto cursor = deck.cursor(field);
-  const Index dof = cursor.integer("a degree of freedom");
-  cursor.end_line();
-  // 4 to 6 are rotations, which the vertices of a solid do not have.
-  if (dof < 1 || dof > 6) {
-    deck.fail(field.place, "degree of freedom " + std::to_string(dof) + " cannot be fixed; a vertex has 1 to 3");
-  }
-  return dof;
-}
-
-// "dof, last dof, value" or a name.
-std::array<bool, 3> fixed_components(const Deck& deck, const std::vector<Line>& parts) {
-  const auto name = upper(parts[1].text);
-  for (const auto& condition : conditions) {
-    if (condition.name == name) return condition.components;
-  }
-  const Index first = degree_of_freedom(deck, parts[1]);
-  const Index last = parts.size() > 2 && !parts[2].text.empty() ? degree_of_freedom(deck, parts[2]) : first;
-  if (last < first) deck.fail(parts[2].place, "the last degree of freedom comes before the first");
-  if (parts.size() > 3 && !parts[3].text.empty() && deck.cursor(parts[3]).real("a displacement") != 0) {
-    deck.fail(parts[3].place, "a prescribed displacement other than zero is not supported");
-  }
-  std::array<bool, 3> components{};
-  for (Index dof = first; dof <= std::min<Index>(last, 3); ++dof) components[static_cast<std::size_t>(dof - 1)] = true;
-  return components;
+std::string dependent(const Keyword& keyword) {
+  return "*" + keyword.title + " with constants that depend on temperature or fields is not supported";
 }
 
 }  // namespace
 
 void read_inp_material(Deck& deck, const Keyword& keyword, InpModel& model) {
   model.material = upper(needed(deck, keyword, "NAME"));
-  if (!model.materials
-           .try_emplace(model.material, InpMaterial{.young = {}, .poisson = {}, .density = {}, .place = keyword.place})
-           .second) {
+  if (!model.materials.try_emplace(model.material, InpMaterial{.young = {}, .poisson = {}, .density = {}}).second) {
     deck.fail(keyword.place, "material " + model.material + " is defined twice");
   }
 }
@@ -74,39 +47,54 @@ void read_inp_elastic(Deck& deck, const Keyword& keyword, InpModel& model) {
   auto& material = current_material(deck, keyword, model);
   const auto type = upper(keyword.value("TYPE").value_or("ISOTROPIC"));
   if (!type.starts_with("ISO")) {
-    deck.fail(keyword.place, "elasticity of type " + type + " is not supported, only ISOTROPIC");
+    material.law = {"elasticity of type " + type + " is not supported, only ISOTROPIC", keyword.place};
+    return;
   }
-  const auto line = only_line(deck, keyword);
-  auto cursor = deck.cursor(line);
-  material.place = line.place;
-  material.young = cursor.real("Young's modulus");
-  material.poisson = cursor.real("Poisson's ratio");
-  const FileMaterial elastic{.young = material.young, .poisson = material.poisson, .density = {}};
-  checked(deck.sources(), line.place, elastic);
+  const auto check = [&](const Line& line, const std::array<double, 2>& values) {
+    const auto parts = fields(line);
+    if (parts.size() > 1 && parts[1].text.empty()) deck.fail(line.place, "*ELASTIC has no Poisson's ratio here");
+    checked(deck.sources(), line.place, {.young = values[0], .poisson = values[1], .density = {}});
+  };
+  const auto values = constants<2>(deck, keyword, {"Young's modulus", "Poisson's ratio"}, check);
+  if (!values) {
+    material.law = {dependent(keyword), keyword.place};
+    return;
+  }
+  material.young = (*values)[0];
+  material.poisson = (*values)[1];
+}
+
+void read_inp_other_law(Deck& deck, const Keyword& keyword, InpModel& model) {
+  current_material(deck, keyword, model).law = {"the material law *" + keyword.title + " is not supported",
+                                                keyword.place};
 }
 
 void read_inp_density(Deck& deck, const Keyword& keyword, InpModel& model) {
   auto& material = current_material(deck, keyword, model);
-  const auto line = only_line(deck, keyword);
-  material.density = deck.cursor(line).real("the density");
-  if (!(*material.density > 0)) deck.fail(line.place, "the density must be positive");
+  const auto check = [&](const Line& line, const std::array<double, 1>& values) {
+    if (!(values[0] > 0)) deck.fail(line.place, "the density must be positive");
+  };
+  const auto values = constants<1>(deck, keyword, {"the density"}, check);
+  if (values) material.density = values->front();
+  else material.unread_density = {dependent(keyword), keyword.place};
 }
 
+void read_inp_expansion(Deck&, const Keyword&, InpModel& model) { model.expands = true; }
+
 void read_inp_section(Deck& deck, const Keyword& keyword, InpModel& model) {
+  if (keyword.has("COMPOSITE"))
+    deck.fail(keyword.place, "a composite (layered) *SOLID SECTION is not supported; ritz has one material a section");
   model.sections.push_back({.element_set = needed(deck, keyword, "ELSET"),
                             .material = upper(needed(deck, keyword, "MATERIAL")),
                             .place = keyword.place});
 }
 
-void read_inp_boundary(Deck& deck, const Keyword&, InpModel& model) {
-  while (const auto line = deck.next_data()) {
-    const auto parts = fields(*line);
-    if (parts.size() < 2 || parts[0].text.empty()) {
-      deck.fail(line->place, "expected a node or node set and the degrees of freedom that are fixed");
-    }
-    model.boundaries.push_back(
-        {.target = plain_name(parts[0].text), .components = fixed_components(deck, parts), .place = line->place});
-  }
+void read_inp_structure(Deck& deck, const Keyword& keyword, InpModel& model) {
+  model.structures.push_back(
+      {.word = keyword.name,
+       .what = "*" + keyword.title + " gives elements stiffness and mass, which ritz cannot do: here they carry sets",
+       .set = needed(deck, keyword, "ELSET"),
+       .place = keyword.place});
 }
 
 }  // namespace ritz::mesh

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "ritz/mesh/read_inp_model.hpp"
+#include "ritz/mesh/read_inp_members.hpp"
 
 namespace ritz::mesh {
 namespace {
@@ -9,51 +9,50 @@ namespace {
 /// The model with its numbers and names ready to be looked up.
 struct Resolver {
   const Sources& sources;
+  InpBudget budget = InpBudget(sources);
+  InpMissing missing_nodes = {};
+  InpMissing missing_elements = {};
   InpModel& model;
   Numbering ids;
   std::map<std::string, std::size_t> set_index;  ///< name in capitals -> ListedMesh::sets
 };
 
-void add_members(const Resolver& look, const IdMap& ids, const std::string& what, const InpSet& set,
-                 std::vector<Index>& positions) {
-  for (const auto& member : set.members) {
-    const auto found = ids.range(member.first, member.last, std::max<Index>(member.step, 1));
-    if (found.empty()) {
-      fail(look.sources, member.place,
-           "set '" + set.name + "' names " + what + " " + std::to_string(member.first) +
-               ", which the file does not list");
-    }
-    positions.insert(positions.end(), found.begin(), found.end());
-  }
+std::size_t position_of(const InpSets& sets, const InpSet& set) {
+  return static_cast<std::size_t>(&set - sets.sets.data());
 }
 
-std::vector<Index> cells_of(const Resolver& look, const InpSet& set) {
-  auto cells = set.positions;
-  add_members(look, look.ids.cells, "element", set, cells);
-  return cells;
+InpContent elements_of(Resolver& look, const InpSet& set) {
+  const auto& sets = look.model.element_sets;
+  return content(look.sources, sets, position_of(sets, set), look.ids.cells, "element", look.budget,
+                 look.missing_elements);
 }
 
-void add_vertices_of_cells(const Resolver& look, const InpSet& elements, std::vector<Index>& vertices) {
+std::vector<Index> cells_of(Resolver& look, const InpSet& set) { return elements_of(look, set).positions; }
+
+void add_vertices_of_cells(Resolver& look, const InpSet& elements, std::vector<Index>& vertices) {
   for (const Index cell : cells_of(look, elements)) {
-    for (const Index id : look.model.mesh.vertices_of(cell)) {
+    const auto ids = look.model.mesh.vertices_of(cell);
+    look.budget.spend(look.sources, elements.name, ids.size());
+    for (const Index id : ids) {
       if (const Index vertex = look.ids.vertices.find(id); vertex >= 0) vertices.push_back(vertex);
     }
   }
 }
 
-std::vector<Index> vertices_of(const Resolver& look, const InpSet& set) {
-  auto vertices = set.positions;
-  add_members(look, look.ids.vertices, "node", set, vertices);
-  for (const std::size_t elements : set.element_sets) {
+std::vector<Index> vertices_of(Resolver& look, const InpSet& set) {
+  const auto& sets = look.model.node_sets;
+  auto [vertices, element_sets, by_number] =
+      content(look.sources, sets, position_of(sets, set), look.ids.vertices, "node", look.budget, look.missing_nodes);
+  for (const std::size_t elements : element_sets)
     add_vertices_of_cells(look, look.model.element_sets.sets[elements], vertices);
-  }
+  keep_unique(vertices);
   return vertices;
 }
 
 // What a line names: a set, or one number.
 template <class PositionsOf>
-std::vector<Index> target(const Resolver& look, const std::string& name, Place place, const InpSets& sets,
-                          const IdMap& ids, PositionsOf positions_of) {
+std::vector<Index> target(Resolver& look, const std::string& name, Place place, const InpSets& sets, const IdMap& ids,
+                          PositionsOf positions_of) {
   if (const auto* const set = sets.find(name)) return positions_of(look, *set);
   Index number = 0;
   const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
@@ -100,17 +99,34 @@ void resolve_surface(Resolver& look, const InpSurface& surface) {
   }
 }
 
+std::string said(const Sources& sources, const InpUnread& unread) {
+  return unread.what.empty() ? std::string() : located(sources, unread.place) + unread.what;
+}
+
 FileMaterial material_of(const Resolver& look, const InpSection& section) {
   const auto found = look.model.materials.find(section.material);
   if (found == look.model.materials.end()) {
-    fail(look.sources, section.place, "material " + section.material + " is not defined in the file");
+    fail(look.sources, section.place, "material '" + section.material + "' is not defined in the file");
   }
   const auto& material = found->second;
-  return {.young = material.young, .poisson = material.poisson, .density = material.density};
+  return {.young = material.young,
+          .poisson = material.poisson,
+          .density = material.density,
+          .unread_law = said(look.sources, material.law),
+          .unread_density = said(look.sources, material.unread_density)};
 }
 
-void claim(const Resolver& look, const InpSection& section, Index cell) {
+void claim(Resolver& look, const InpSection& section, Index cell) {
   auto& mesh = look.model.mesh;
+  if (traits(mesh.shapes[static_cast<std::size_t>(cell)]).dimension < 3) {
+    const auto& type = element_type(look.model, cell);
+    leave_out(look.sources, section.place, {type},
+              "*SOLID SECTION gives elements of type " + type +
+                  " stiffness and mass, which ritz cannot do: here they "
+                  "carry sets",
+              look.model);
+    return;
+  }
   const auto region = static_cast<std::int32_t>(mesh.regions.size());
   auto& claimed = mesh.cell_regions[static_cast<std::size_t>(cell)];
   if (claimed >= 0 && claimed != region) {
@@ -146,21 +162,63 @@ void regions_from_sets(Resolver& look) {
     }
     if (any) mesh.regions.push_back({.name = set.name, .material = {}});
   };
-  for (const auto& set : look.model.element_sets.sets) {
-    if (!set.members.empty()) claim(set, cells_of(look, set));
-  }
-  for (const auto& set : look.model.element_sets.sets) claim(set, set.positions);
+  for (const auto& set : look.model.element_sets.sets)
+    if (const auto listed = elements_of(look, set); listed.by_number) claim(set, listed.positions);
+  for (const auto& set : look.model.element_sets.sets) claim(set, cells_of(look, set));
 }
 
-void resolve_boundary(const Resolver& look, const InpBoundary& boundary) {
+void resolve_boundary(Resolver& look, const InpBoundary& boundary) {
   const InpSets &nodes = look.model.node_sets, &elements = look.model.element_sets;
   std::vector<Index> vertices;
   const auto* const cells = nodes.find(boundary.target) ? nullptr : elements.find(boundary.target);
   if (cells) add_vertices_of_cells(look, *cells, vertices);
   else vertices = target(look, boundary.target, boundary.place, nodes, look.ids.vertices, vertices_of);
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  keep_unique(vertices);
+  if (vertices.empty() && look.model.words.insert("EMPTY SUPPORT").second)
+    look.model.mesh.notes.push_back(located(look.sources, boundary.place) + "*BOUNDARY holds '" + boundary.target +
+                                    "', which has no nodes: nothing is held by this line");
   look.model.mesh.supports.push_back({.vertices = std::move(vertices), .components = boundary.components});
+}
+
+void refuse_structures(Resolver& look) {
+  for (const auto& [word, what, name, place] : look.model.structures) {
+    const auto* const set = look.model.element_sets.find(name);
+    if (!set || !cells_of(look, *set).empty()) leave_out(look.sources, place, {word}, what, look.model);
+  }
+}
+
+// A vertex that is held in all directions is held in any system.
+void refuse_transforms(Resolver& look) {
+  if (look.model.transforms.empty()) return;
+  auto& mesh = look.model.mesh;
+  std::vector<std::array<bool, 3>> held(mesh.points.size());
+  for (const auto& support : mesh.supports)
+    for (const Index v : support.vertices)
+      for (std::size_t i = 0; i < 3; ++i)
+        held[static_cast<std::size_t>(v)][i] = held[static_cast<std::size_t>(v)][i] || support.components[i];
+  const auto partly = [&](Index v) {
+    const auto& h = held[static_cast<std::size_t>(v)];
+    return (h[0] || h[1] || h[2]) && !(h[0] && h[1] && h[2]);
+  };
+  for (const auto& [word, what, name, place] : look.model.transforms) {
+    const auto vertices = target(look, name, place, look.model.node_sets, look.ids.vertices, vertices_of);
+    if (std::any_of(vertices.begin(), vertices.end(), partly)) leave_out(look.sources, place, {word}, what, look.model);
+  }
+}
+
+void note_missing(InpModel& model, const InpMissing& missing) {
+  if (missing.all.empty()) return;
+  const auto others = missing.all.size() - 1;
+  model.mesh.notes.push_back(missing.first +
+                             (others > 0 ? " (nor " + std::to_string(others) + " others in sets)" : "") +
+                             "; the sets do without");
+}
+
+void note_idle_words(InpModel& model) {
+  for (const auto& word : model.ignored)
+    if (!model.words.contains(word))
+      model.mesh.notes.push_back("option -ignore " + word +
+                                 " left nothing out: the mesh file has nothing of that name that ritz would refuse");
 }
 
 }  // namespace
@@ -174,6 +232,11 @@ FileMesh resolve_inp(const Sources& sources, InpModel model) {
   if (model.sections.empty()) regions_from_sets(look);
   else resolve_sections(look);
   for (const auto& boundary : model.boundaries) resolve_boundary(look, boundary);
+  refuse_structures(look);
+  refuse_transforms(look);
+  note_missing(model, look.missing_nodes);
+  note_missing(model, look.missing_elements);
+  note_idle_words(model);
   return finish(sources, std::move(model.mesh));
 }
 

@@ -1,8 +1,6 @@
 // *NSET, *ELSET and *SURFACE.
 #include <algorithm>
-#include <functional>
 #include <set>
-#include <tuple>
 
 #include "ritz/mesh/read_inp_model.hpp"
 
@@ -26,36 +24,25 @@ InpMember read_range(const Deck& deck, const Line& line) {
   return range;
 }
 
-template <class T>
-void append(std::vector<T>& to, const std::vector<T>& from) {
-  to.insert(to.end(), from.begin(), from.end());
-}
-
-template <class T, class Less>
-void keep_unique(std::vector<T>& values, Less less) {
-  std::sort(values.begin(), values.end(), less);
-  const auto same = [&](const T& a, const T& b) { return !less(a, b) && !less(b, a); };
-  values.erase(std::unique(values.begin(), values.end(), same), values.end());
-}
-
-// Copies the sets named inside another one, each once, so that sets of sets cannot grow without bound.
-void add_nested(InpSets& sets, std::size_t into, const std::set<std::size_t>& nested) {
-  auto& set = sets.sets[into];
-  for (const std::size_t other : nested) {
-    if (other == into) continue;
-    append(set.positions, sets.sets[other].positions);
-    append(set.members, sets.sets[other].members);
-    append(set.element_sets, sets.sets[other].element_sets);
+// Takes the sets named inside another one as they stand, each once.
+void add_parts(InpSets& sets, std::size_t into, const std::set<std::size_t>& named) {
+  for (const std::size_t other : named) {
+    if (other != into) sets.sets[into].parts.push_back(whole(sets, other));
   }
-  keep_unique(set.positions, std::less<>());
-  keep_unique(set.element_sets, std::less<>());
-  keep_unique(set.members, [](const InpMember& a, const InpMember& b) {
-    return std::tie(a.first, a.last, a.step) < std::tie(b.first, b.last, b.step);
-  });
+}
+
+// A line of flags after a comma at the end of a keyword line may be meant as names of sets.
+void refuse_doubt(const Deck& deck, const Keyword& keyword, const InpSets& sets) {
+  for (const auto& line : keyword.flag_lines)
+    for (const auto& field : fields(line))
+      if (sets.find(plain_name(field.text)))
+        deck.fail(field.place, "'" + plain_name(field.text) + "' is a parameter of *" + keyword.title +
+                                   " and the name of a set; write the parameter in the line of the keyword, or leave "
+                                   "out the comma at its end");
 }
 
 // Numbers, and names of sets that stand earlier in the file.
-void read_list(const Deck& deck, const Line& line, InpSet& set, const InpSets& sets, std::set<std::size_t>& nested) {
+void read_list(const Deck& deck, const Line& line, InpSet& set, const InpSets& sets, std::set<std::size_t>& named) {
   for (const auto& field : fields(line)) {
     if (field.text.empty()) continue;
     if (is_number(field.text)) {
@@ -66,20 +53,21 @@ void read_list(const Deck& deck, const Line& line, InpSet& set, const InpSets& s
     }
     const auto* const other = sets.find(plain_name(field.text));
     if (!other) deck.fail(field.place, "set '" + plain_name(field.text) + "' is not defined before this line");
-    nested.insert(static_cast<std::size_t>(other - sets.sets.data()));
+    named.insert(static_cast<std::size_t>(other - sets.sets.data()));
   }
 }
 
 void read_set(Deck& deck, const Keyword& keyword, InpSets& sets, std::size_t into) {
   if (keyword.has("INSTANCE")) deck.fail(keyword.place, "sets of an instance are not supported; flatten the model");
+  refuse_doubt(deck, keyword, sets);
   const bool ranges = keyword.has("GENERATE");
-  std::set<std::size_t> nested;
+  std::set<std::size_t> named;
   while (const auto line = deck.next_data()) {
     auto& set = sets.sets[into];
     if (ranges) set.members.push_back(read_range(deck, *line));
-    else read_list(deck, *line, set, sets, nested);
+    else read_list(deck, *line, set, sets, named);
   }
-  if (!nested.empty()) add_nested(sets, into, nested);
+  add_parts(sets, into, named);
 }
 
 }  // namespace
@@ -91,8 +79,17 @@ const InpSet* InpSets::find(const std::string& name) const {
 
 std::size_t InpSets::made(const std::string& name) {
   const auto [found, added] = index.try_emplace(upper(name), sets.size());
-  if (added) sets.push_back({.name = name, .positions = {}, .members = {}, .element_sets = {}});
+  if (added) sets.push_back({.name = name, .positions = {}, .members = {}, .parts = {}, .element_sets = {}});
   return found->second;
+}
+
+InpPart whole(const InpSets& sets, std::size_t set) {
+  const auto& s = sets.sets[set];
+  return {.set = set,
+          .positions = s.positions.size(),
+          .members = s.members.size(),
+          .parts = s.parts.size(),
+          .element_sets = s.element_sets.size()};
 }
 
 void read_inp_nset(Deck& deck, const Keyword& keyword, InpModel& model) {
@@ -118,12 +115,14 @@ void read_inp_surface(Deck& deck, const Keyword& keyword, InpModel& model) {
   InpSurface surface{.name = needed(deck, keyword, "NAME"),
                      .type = type == "NODE" ? InpSurfaceType::node : InpSurfaceType::element,
                      .entries = {}};
+  std::set<std::pair<std::string, std::string>> listed;
   while (const auto line = deck.next_data()) {
     const auto parts = fields(*line);
     if (parts[0].text.empty()) deck.fail(line->place, "expected a set or a number");
-    surface.entries.push_back({.target = plain_name(parts[0].text),
-                               .label = parts.size() > 1 ? upper(parts[1].text) : std::string(),
-                               .place = line->place});
+    const auto target = plain_name(parts[0].text);
+    const auto label = parts.size() > 1 ? upper(parts[1].text) : std::string();
+    if (listed.emplace(upper(target), label).second)
+      surface.entries.push_back({.target = target, .label = label, .place = line->place});
   }
   model.surfaces.push_back(std::move(surface));
 }

@@ -229,17 +229,21 @@ TEST(ReadInp, FixesTheNodesOfAnElementSet) {
 }
 
 TEST(ReadInp, MakesRegionsOfElementSetsWithoutSections) {
-  auto text = with(inp_text(), "*SOLID SECTION, ELSET=LOWER, MATERIAL=STEEL\n", "*NO SECTION\n");
+  auto text = with(inp_text(), "*SOLID SECTION, ELSET=LOWER, MATERIAL=STEEL\n", "*HEADING\n");
   text = with(text, "*SOLID SECTION, ELSET=upper, MATERIAL=Rubber\n", "");
   EXPECT_EQ(cell_region_names(read_text("a.inp", text)), (std::vector<std::string>{"both", "both"}));
   text = with(text, "*ELSET, ELSET=both, GENERATE\n5, 6\n", "");
   EXPECT_EQ(cell_region_names(read_text("a.inp", text)), (std::vector<std::string>{"Lower", "upper"}));
 }
 
-TEST(ReadInp, LeavesAnIncompleteMaterialOut) {
+TEST(ReadInp, KeepsWhatAnIncompleteMaterialStates) {
   const auto mesh = read_text("a.inp", with(inp_text(), "*DENSITY\n7800.,\n", ""));
-  EXPECT_FALSE(mesh.regions[0].material.young);
-  EXPECT_TRUE(mesh.regions[1].material.young);
+  EXPECT_EQ(mesh.regions[0].material.young, 2e11);
+  EXPECT_EQ(mesh.regions[0].material.poisson, 0.3);
+  EXPECT_FALSE(mesh.regions[0].material.density);
+  const auto other = read_text("a.inp", with(inp_text(), "*ELASTIC, TYPE=ISO\n1e6, 0.49\n", ""));
+  EXPECT_FALSE(other.regions[1].material.young);
+  EXPECT_EQ(other.regions[1].material.density, 950);
 }
 
 TEST(ReadInp, FollowsIncludes) {

@@ -35,14 +35,14 @@ TemporaryFile::~TemporaryFile() {
   std::filesystem::remove(path_, ignored);
 }
 
-FileMesh read_text(const std::string& name, std::string_view bytes) {
+FileMesh read_text(const std::string& name, std::string_view bytes, const Ignored& ignored) {
   const TemporaryFile file(name, bytes);
-  return read_file(file.path());
+  return read_file(file.path(), ignored);
 }
 
-std::string error_of(const std::string& name, std::string_view bytes) {
+std::string error_of(const std::string& name, std::string_view bytes, const Ignored& ignored) {
   try {
-    read_text(name, bytes);
+    read_text(name, bytes, ignored);
   } catch (const InputError& error) {
     return error.what();
   }

@@ -23,9 +23,9 @@ class TemporaryFile {
 };
 
 /// Writes the bytes to a file of that name and reads it.
-FileMesh read_text(const std::string& name, std::string_view bytes);
+FileMesh read_text(const std::string& name, std::string_view bytes, const Ignored& ignored = {});
 /// The InputError's text; a test failure when there is none.
-std::string error_of(const std::string& name, std::string_view bytes);
+std::string error_of(const std::string& name, std::string_view bytes, const Ignored& ignored = {});
 
 /// `text` with the first `from` replaced; throws when there is none.
 std::string with(std::string text, std::string_view from, std::string_view to);

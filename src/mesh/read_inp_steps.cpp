@@ -1,0 +1,144 @@
+// *BOUNDARY, *STEP and what stands in a step.
+#include <algorithm>
+
+#include "ritz/mesh/read_inp_model.hpp"
+
+namespace ritz::mesh {
+namespace {
+
+struct NamedCondition {
+  std::string_view name;
+  std::array<bool, 3> components;
+};
+
+constexpr NamedCondition conditions[] = {{"ENCASTRE", {true, true, true}}, {"PINNED", {true, true, true}},
+                                         {"XSYMM", {true, false, false}},  {"YSYMM", {false, true, false}},
+                                         {"ZSYMM", {false, false, true}},  {"XASYMM", {false, true, true}},
+                                         {"YASYMM", {true, false, true}},  {"ZASYMM", {true, true, false}}};
+
+Index degree_of_freedom(const Deck& deck, const Line& field) {
+  auto cursor = deck.cursor(field);
+  const Index dof = cursor.integer("a degree of freedom");
+  cursor.end_line();
+  // 4 to 6 are rotations, which the vertices of a solid do not have.
+  if (dof < 1 || dof > 6) {
+    deck.fail(field.place, "degree of freedom " + std::to_string(dof) + " cannot be fixed; a vertex has 1 to 3");
+  }
+  return dof;
+}
+
+// "dof, last dof, value" or a name.
+std::array<bool, 3> fixed_components(const Deck& deck, const std::vector<Line>& parts) {
+  const auto name = upper(parts[1].text);
+  for (const auto& condition : conditions) {
+    if (condition.name == name) return condition.components;
+  }
+  const Index first = degree_of_freedom(deck, parts[1]);
+  const Index last = parts.size() > 2 && !parts[2].text.empty() ? degree_of_freedom(deck, parts[2]) : first;
+  if (last < first) deck.fail(parts[2].place, "the last degree of freedom comes before the first");
+  std::array<bool, 3> components{};
+  for (Index dof = first; dof <= std::min<Index>(last, 3); ++dof) components[static_cast<std::size_t>(dof - 1)] = true;
+  return components;
+}
+
+InpMotion motion_of(const Deck& deck, const Keyword& keyword, const std::vector<Line>& parts) {
+  if (keyword.has("USER") || keyword.has("SUBMODEL")) return InpMotion::prescribed;
+  const bool moves = parts.size() > 3 && !parts[3].text.empty() && deck.cursor(parts[3]).real("a displacement") != 0;
+  return moves ? InpMotion::prescribed : InpMotion::none;
+}
+
+enum class Operation { modify, replace };
+
+Operation operation_of(const Deck& deck, const Keyword& keyword) {
+  const auto word = upper(keyword.value("OP").value_or("MOD"));
+  if (word != "MOD" && word != "NEW")
+    deck.fail(keyword.place, "*BOUNDARY has OP=NEW and OP=MOD, not OP='" + word + "'");
+  return word == "NEW" ? Operation::replace : Operation::modify;
+}
+
+// The first *BOUNDARY of a step says whether the earlier supports go.
+void begin_supports(const Deck& deck, const Keyword& keyword, InpModel& model) {
+  auto& step = model.steps.back();
+  const bool replaces = operation_of(deck, keyword) == Operation::replace && model.steps.size() > 1;
+  if (!step.own_supports) step.replaces_supports = replaces;
+  else if (replaces && !step.replaces_supports && model.words.insert("OP=NEW").second)
+    model.mesh.notes.push_back(located(deck.sources(), keyword.place) +
+                               "OP=NEW comes after a *BOUNDARY of the same step without it; as in CalculiX the first "
+                               "one counts, and the earlier supports stay");
+  step.own_supports = true;
+}
+
+bool spins(const Line& line) {
+  const auto parts = fields(line);
+  const auto label = parts.size() > 1 ? upper(parts[1].text) : std::string();
+  return label.starts_with("CENT") || label.starts_with("CORIO") || label.starts_with("ROT");
+}
+
+bool yes(const Keyword& keyword, std::string_view parameter) {
+  return keyword.has(parameter) && upper(keyword.value(parameter).value_or("YES")) != "NO";
+}
+
+}  // namespace
+
+void read_inp_boundary(Deck& deck, const Keyword& keyword, InpModel& model) {
+  begin_supports(deck, keyword, model);
+  auto& step = model.steps.back();
+  while (const auto line = deck.next_data()) {
+    const auto parts = fields(*line);
+    if (parts.size() < 2 || parts[0].text.empty()) {
+      deck.fail(line->place, "expected a node or node set and the degrees of freedom that are fixed");
+    }
+    step.boundaries.push_back({.target = plain_name(parts[0].text),
+                               .components = fixed_components(deck, parts),
+                               .motion = motion_of(deck, keyword, parts),
+                               .place = line->place});
+    step.loaded = step.loaded || step.boundaries.back().motion == InpMotion::prescribed;
+  }
+}
+
+void read_inp_step(Deck&, const Keyword& keyword, InpModel& model) {
+  auto& step = model.steps.emplace_back();
+  step.place = keyword.place;
+  if (yes(keyword, "PERTURBATION")) step.preloaded = keyword.place;
+  if (yes(keyword, "NLGEOM")) step.nonlinear = keyword.place;
+}
+
+void read_inp_frequency(Deck&, const Keyword& keyword, InpModel& model) {
+  model.steps.back().frequency = keyword.place;
+}
+
+void read_inp_load(Deck& deck, const Keyword&, InpModel& model) {
+  auto& step = model.steps.back();
+  while (const auto line = deck.next_data()) {
+    step.loaded = true;
+    step.spinning = step.spinning || spins(*line);
+  }
+}
+
+void read_inp_temperature(Deck&, const Keyword& keyword, InpModel& model) {
+  model.steps.back().loaded = true;
+  if (!model.temperatures) model.temperatures = keyword.place;
+}
+
+void read_inp_initial_conditions(Deck& deck, const Keyword& keyword, InpModel& model) {
+  // Where a motion begins, and temperatures: constants that depend on them are not read, and what changes them strains.
+  constexpr std::string_view harmless[] = {"TEMPERATURE", "VELOCITY",      "ROTATINGVELOCITY", "DISPLACEMENT", "FIELD",
+                                           "PRESSURE",    "TOTALPRESSURE", "MASSFLOW",         "SOLUTION"};
+  auto type = upper(keyword.value("TYPE").value_or(""));
+  std::erase(type, ' ');
+  if (std::find(std::begin(harmless), std::end(harmless), type) != std::end(harmless)) return;
+  leave_out(deck.sources(), keyword.place, {keyword.name},
+            "*INITIAL CONDITIONS of type '" + type +
+                "' give the body a state that changes its stiffness, which ritz "
+                "cannot do",
+            model);
+}
+
+void read_inp_transform(Deck& deck, const Keyword& keyword, InpModel& model) {
+  model.transforms.push_back({.word = keyword.name,
+                              .what = "*TRANSFORM turns the directions of supports, which ritz cannot do",
+                              .set = needed(deck, keyword, "NSET"),
+                              .place = keyword.place});
+}
+
+}  // namespace ritz::mesh
