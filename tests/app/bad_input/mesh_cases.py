@@ -101,7 +101,13 @@ NUMBERS = [
 
 CELLS = [
     bad("a prism", "m.msh", replaced(MSH2, "2 4 2 1 1 1 2 3 4", "2 6 2 1 1 1 2 3 4 5 1"), ":20", "prism"),
-    bad("a shell in inp", "m.inp", replaced(INP, "C3D4", "S4R"), "no solid cells"),
+    bad("a shell in inp", "m.inp", replaced(INP, "C3D4", "S4R"), "S4R"),
+    bad("a tie in inp", "m.inp", INP + "*TIE, NAME=T\nA, B\n", ":20", "*TIE", "-ignore TIE"),
+    bad("a keyword of no program", "m.inp", INP + "*GLUE, NAME=T\nA, B\n", ":20", "*GLUE", "-ignore GLUE"),
+    bad("a preload of the frequency step", "m.inp", INP + "*STEP\n*STATIC\n*CLOAD\n5, 1, 1.\n*END STEP\n"
+        "*STEP, PERTURBATION\n*FREQUENCY\n2\n*END STEP\n", ":25", "PERTURBATION"),
+    Case("one keyword ignored of two", [*words_for("m.inp"), "-ignore", "TIE"], ["m.inp:22", "*EQUATION"],
+         {"m.inp": INP + "*TIE, NAME=T\nA, B\n*EQUATION\n2\n1, 1, 1., 4, 1, 1.\n"}),
     bad("a wedge in vtu", "m.vtu", replaced(VTU, ">10 10<", ">10 13<"), "13"),
     bad("an unknown cell in veg", "m.veg", replaced(VEG, "TET", "PRISM"), "PRISM"),
     bad("surfaces alone", "m.msh", replaced(MSH2, "2 4 2 1 1 1 2 3 4\n3 4 2 1 1 2 3 4 5", "2 2 2 7 1 1 2 4\n3 2 2 7 1 1 3 4")),
@@ -134,6 +140,8 @@ ODD = [
     good("msh 4.1 with CRLF", "m.msh", crlf(MSH4)),
     good("veg with CRLF", "m.veg", crlf(VEG)),
     good("inp with CRLF", "m.inp", crlf(INP)),
+    good("inp with a comma after every keyword", "m.inp",
+         "".join(line + (",\n" if line.startswith("*") else "\n") for line in INP.splitlines())),
     good("vtu with CRLF", "m.vtu", crlf(VTU)),
 ]
 
