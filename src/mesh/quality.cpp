@@ -1,22 +1,43 @@
 #include "ritz/mesh/quality.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstdint>
+#include <utility>
 
 #include "ritz/base/counted.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/base/shown.hpp"
 #include "ritz/fem/dispatch.hpp"
 #include "ritz/fem/geometry.hpp"
+#include "ritz/fem/mass.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/parallel/guard.hpp"
 
 namespace ritz::mesh {
 namespace {
 
-double jacobian_of(const Mesh& mesh, int cell) {
-  return fem::visit(mesh.cells.types[static_cast<std::size_t>(cell)],
-                    [&]<class E>(E) { return fem::smallest_jacobian<E>(fem::Coordinates<E>(mesh.corners(cell))); });
+/// What the determinant of a cell's Jacobian says of it.
+enum class Fold : std::int32_t {
+  none,
+  corner,  ///< positive wherever the cell is integrated, not at a corner: its mid-edge vertices bend it there
+  middle,  ///< integrals mean nothing, though its corners alone are a good tetrahedron
+  whole    ///< inverted or flat
+};
+
+Fold fold_of(const fem::Coordinates<fem::Tet10>& x) {
+  const bool corners = fem::smallest_jacobian<fem::Tet10>(x) > 0;
+  if (corners && fem::straight(x)) return Fold::none;
+  if (fem::smallest_integrated_jacobian<fem::Tet10>(x) > 0) return corners ? Fold::none : Fold::corner;
+  return fem::smallest_jacobian<fem::Tet4>(x.leftCols<4>()) > 0 ? Fold::middle : Fold::whole;
+}
+
+Fold fold_of(const Mesh& mesh, int cell) {
+  return fem::visit(mesh.cells.types[static_cast<std::size_t>(cell)], [&]<class E>(E) {
+    const fem::Coordinates<E> x = mesh.corners(cell);
+    if constexpr (E::type == fem::CellType::tet10) return fold_of(x);
+    else return fem::smallest_jacobian<E>(x) > 0 ? Fold::none : Fold::whole;
+  });
 }
 
 double dihedral_of(const Mesh& mesh, int cell) {
@@ -25,33 +46,67 @@ double dihedral_of(const Mesh& mesh, int cell) {
   return fem::smallest_dihedral<fem::Tet4>(fem::Coordinates<fem::Tet4>(mesh.corners(cell).leftCols<4>()));
 }
 
-/// The file's number of the first cell (in the file's order) among those that ranks hold, one candidate a rank.
-Index first_id(const Mesh& mesh, Index number, Index id) {
-  const Index first = parallel::min(mesh.comm, number);
-  return parallel::max(mesh.comm, number == first ? id : std::numeric_limits<Index>::min());
+/// Cells that share a fault, on all ranks.
+struct Found {
+  Index count = 0;
+  std::vector<std::pair<Index, Index>> first;  ///< position in the file and the file's number of the first few
+};
+
+/// The owned cells that `is` holds for. *Collective*.
+template <class Is>
+Found find_cells(const Mesh& mesh, Is is) {
+  constexpr std::size_t most = 5;
+  std::vector<std::pair<Index, Index>> here;
+  for (int c = 0; c < mesh.cells.owned; ++c)
+    if (is(c))
+      here.emplace_back(mesh.cells.numbers[static_cast<std::size_t>(c)], mesh.cells.ids[static_cast<std::size_t>(c)]);
+  Found found{.count = parallel::sum(mesh.comm, static_cast<Index>(here.size())), .first = {}};
+  std::sort(here.begin(), here.end());
+  here.resize(std::min(here.size(), most));
+  std::vector<Index> flat;
+  for (const auto& [number, id] : here) flat.insert(flat.end(), {number, id});
+  flat = parallel::gather_all(mesh.comm, flat);
+  for (std::size_t i = 0; i < flat.size(); i += 2) found.first.emplace_back(flat[i], flat[i + 1]);
+  std::sort(found.first.begin(), found.first.end());
+  found.first.resize(std::min(found.first.size(), most));
+  return found;
+}
+
+/// "1 cell (15)", "7 cells (15, 16, 17, 18, 19, ...)".
+std::string named(const Found& found) {
+  std::string text = counted(found.count, "cell", "cells") + " (";
+  for (const auto& cell : found.first) text += std::to_string(cell.second) + ", ";
+  if (found.count > std::ssize(found.first)) text += "...";
+  else text.resize(text.size() - 2);
+  return text + ")";
+}
+
+void add_bent_cells(const Mesh& mesh, std::vector<std::string>& notes) {
+  const auto bent = find_cells(mesh, [&](int c) { return fold_of(mesh, c) == Fold::corner; });
+  if (bent.count > 0)
+    notes.push_back("mid-edge vertices stand so far from the middles of their edges that the Jacobian of " +
+                    named(bent) +
+                    " is not positive at a corner; it is wherever these are integrated, so they are "
+                    "solved, but less exactly");
 }
 
 }  // namespace
 
 void refuse_inverted_cells(const Mesh& mesh) {
-  Index bad = 0, number = std::numeric_limits<Index>::max(), id = 0;
-  for (int c = 0; c < mesh.cells.owned; ++c) {
-    if (jacobian_of(mesh, c) > 0) continue;
-    ++bad;
-    const auto i = static_cast<std::size_t>(c);
-    if (mesh.cells.numbers[i] < number) {
-      number = mesh.cells.numbers[i];
-      id = mesh.cells.ids[i];
-    }
-  }
-  bad = parallel::sum(mesh.comm, bad);
-  if (bad == 0) return;
-  throw InputError("cell " + std::to_string(first_id(mesh, number, id)) + " of the mesh is inverted or flat (" +
-                   std::to_string(bad) + " such in all); repair the mesh, or reverse the order of its vertices");
+  const auto bad = find_cells(mesh, [&](int c) { return fold_of(mesh, c) >= Fold::middle; });
+  if (bad.count == 0) return;
+  const auto folded = find_cells(mesh, [&](int c) { return fold_of(mesh, c) == Fold::middle; });
+  const std::string cell = "cell " + std::to_string(bad.first[0].second) + " of the mesh is ";
+  const std::string such = " (" + std::to_string(bad.count) + " such in all); ";
+  if (folded.count > 0 && folded.first[0] == bad.first[0])
+    throw InputError(cell + "folded by its mid-edge vertices, though its corners are in order" + such +
+                     "move mid-edge vertices towards the middles of their edges, or mesh with straight edges");
+  throw InputError(cell + "inverted or flat" + such + "repair the mesh, or reverse the order of its vertices");
 }
 
 std::vector<std::string> warnings(const Mesh& mesh) {
   auto notes = mesh.notes;
+  add_bent_cells(mesh, notes);
   Index slivers = 0;
   double smallest = 180;
   for (int c = 0; c < mesh.cells.owned; ++c) {

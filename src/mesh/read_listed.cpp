@@ -9,18 +9,20 @@ namespace {
 
 std::string number(Index value) { return std::to_string(value); }
 
-// The file's numbers in cell_vertices become positions.
+// The file's numbers in cell_vertices become positions. A cell of lower dimension carries a set and no stiffness: it
+// may name a vertex twice, as the ends of a closed or collapsed curve do.
 void number_vertices(const Sources& sources, const IdMap& vertices, ListedMesh& mesh) {
   for (std::size_t c = 0; c < mesh.shapes.size(); ++c) {
     const auto begin = mesh.cell_vertices.begin() + mesh.cell_offsets[c];
     const auto end = mesh.cell_vertices.begin() + mesh.cell_offsets[c + 1];
+    const bool solid = traits(mesh.shapes[c]).dimension == 3;
     for (auto v = begin; v != end; ++v) {
       const Index position = vertices.find(*v);
       if (position < 0) {
         fail(sources, mesh.cell_places[c],
              "cell " + number(mesh.cell_ids[c]) + " refers to vertex " + number(*v) + ", which the file does not list");
       }
-      if (std::find(begin, v, position) != v) {
+      if (solid && std::find(begin, v, position) != v) {
         fail(sources, mesh.cell_places[c],
              "cell " + number(mesh.cell_ids[c]) + " names vertex " + number(*v) + " twice");
       }

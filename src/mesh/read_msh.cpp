@@ -1,5 +1,7 @@
 #include "ritz/mesh/read_msh.hpp"
 
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <sstream>
 
@@ -23,13 +25,6 @@ std::optional<Section> next_section(Cursor& cursor) {
     if (line.starts_with('$')) return Section{.name = std::string(line.substr(1)), .place = place};
   }
   return std::nullopt;
-}
-
-void skip_section(const Sources& sources, Cursor& cursor, const Section& section) {
-  while (!cursor.at_end()) {
-    if (cursor.line() == "$End" + section.name) return;
-  }
-  fail(sources, section.place, "section $" + section.name + " has no end; the file is truncated");
 }
 
 // $MeshFormat: "4.1 0 8", and in binary files the number one.
@@ -58,7 +53,16 @@ Version read_format(Sources& sources, unsigned file, MshInput& input) {
   return version == 4.1 ? Version::v4 : Version::v2;
 }
 
-void read_section(const Sources& sources, MshFile& msh, Version version, const Section& section) {
+// Sections that say nothing of the body: results, and what a mesh generator remembers of its geometry.
+bool is_harmless(const std::string& name) {
+  constexpr std::array names =
+      std::to_array<std::string_view>({"Comments", "NodeData", "ElementData", "ElementNodeData", "InterpolationScheme",
+                                       "Periodic", "GhostElements", "Parametrizations"});
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+void read_section(const Sources& sources, MshFile& msh, Version version, const Section& section,
+                  const Ignored& ignored) {
   const auto& name = section.name;
   const auto is = [&](const char* section, Version its) { return name == section && version == its; };
   if (name == "PhysicalNames") read_physical_names(msh.input, msh.groups);
@@ -69,12 +73,17 @@ void read_section(const Sources& sources, MshFile& msh, Version version, const S
   else if (is("PartitionedEntities", Version::v4)) read_msh4_partitioned_entities(msh);
   else if (is("Nodes", Version::v4)) read_msh4_nodes(msh);
   else if (is("Elements", Version::v4)) read_msh4_elements(msh);
-  else skip_section(sources, msh.input.cursor, section);
+  else {
+    if (!is_harmless(name))
+      leave_out(sources, section.place, upper(name), "$" + name + " is not a section that ritz knows", ignored,
+                msh.mesh);
+    skip_msh_section(sources, msh.input, name, section.place);
+  }
 }
 
 }  // namespace
 
-FileMesh read_msh(Sources& sources, unsigned file, const Ignored&) {
+FileMesh read_msh(Sources& sources, unsigned file, const Ignored& ignored) {
   MshFile msh{.input = {.cursor = Cursor(sources, file)}, .mesh = {}, .groups = {}, .entities = {}};
   auto& cursor = msh.input.cursor;
   std::optional<Version> version;
@@ -83,9 +92,9 @@ FileMesh read_msh(Sources& sources, unsigned file, const Ignored&) {
       version = read_format(sources, file, msh.input);
       msh.input.close_section("MeshFormat");
     } else if (section->name == "Comments") {
-      skip_section(sources, cursor, *section);
+      skip_msh_section(sources, msh.input, section->name, section->place);
     } else if (version) {
-      read_section(sources, msh, *version, *section);
+      read_section(sources, msh, *version, *section, ignored);
     } else {
       fail(sources, section->place, "expected $MeshFormat first; is this a Gmsh mesh of version 2.2 or 4.1?");
     }

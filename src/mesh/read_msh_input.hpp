@@ -27,4 +27,9 @@ struct MshInput {
   [[noreturn]] void fail(const std::string& message) const { cursor.fail(message); }
 };
 
+/// Moves past a section whose first line has been read, at `place`. Binary data may contain anything, also line ends
+/// and
+/// "$End", and need not end with a line break. Throws InputError for a section without an end.
+void skip_msh_section(const Sources& sources, MshInput& input, const std::string& name, Place place);
+
 }  // namespace ritz::mesh

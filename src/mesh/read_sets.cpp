@@ -22,6 +22,18 @@ FaceCell face_of(const ListedMesh& mesh, const ListedFace& where) {
   return face_cell(fem::shape(type).face, vertices);
 }
 
+// A listed cell of dimension 2 as a face; none where its corners span no area. A quadrilateral with two corners in one
+// vertex is a triangle.
+std::optional<FaceCell> spanned_face(fem::FaceType type, std::span<const Index> vertices) {
+  const auto corners = vertices.first(static_cast<std::size_t>(fem::shape(type).corners));
+  std::vector<Index> distinct;
+  for (const Index v : corners)
+    if (std::find(distinct.begin(), distinct.end(), v) == distinct.end()) distinct.push_back(v);
+  if (distinct.size() == corners.size()) return face_cell(type, vertices);
+  if (type != fem::FaceType::quad4 || distinct.size() != 3) return std::nullopt;
+  return face_cell(fem::FaceType::tri3, distinct);
+}
+
 // Each face once, also when two parts of a union list it.
 std::vector<FaceCell> faces_of(const ListedMesh& mesh, const ListedSet& set) {
   std::vector<FaceCell> faces;
@@ -33,7 +45,8 @@ std::vector<FaceCell> faces_of(const ListedMesh& mesh, const ListedSet& set) {
   };
   for (const Index cell : set.cells) {
     const auto type = traits(mesh.shapes[static_cast<std::size_t>(cell)]).face;
-    if (type) add(face_cell(*type, mesh.vertices_of(cell)));
+    if (!type) continue;
+    if (const auto face = spanned_face(*type, mesh.vertices_of(cell))) add(*face);
   }
   for (const auto& face : set.faces) add(face_of(mesh, face));
   return faces;

@@ -107,24 +107,29 @@ void read_elements(VegFile& veg) {
   }
 }
 
-// "ENU, density, E, nu".
+// "ENU, density, E, nu". Of another law only the density is read, which Vega's laws state first.
 void read_material(VegFile& veg, const std::string& name) {
   const auto line = need_line(veg, "the specification of material '" + name + "'");
-  const auto law = trimmed(line.text.substr(0, line.text.find(',')));
-  if (law != "ENU") {
-    veg.lines.fail(line.place, "material law " + std::string(law.substr(0, 32)) +
-                                   " is not supported; ritz knows ENU (density, Young's modulus, Poisson's ratio)");
-  }
-  const auto begin = line.text.find(',');
-  if (begin == std::string_view::npos) veg.lines.fail(line.place, "expected ENU, density, E, nu");
-  const auto values = line.text.substr(begin);
+  const auto comma = line.text.find(',');
+  const std::string law(trimmed(line.text.substr(0, comma)));
+  if (law.empty() || comma == std::string_view::npos)
+    veg.lines.fail(line.place, "expected a law, a comma and its constants: ENU, density, E, nu");
+  const auto values = line.text.substr(comma);
   auto cursor =
-      veg.lines.cursor({.place = {.file = line.place.file, .offset = line.place.offset + begin}, .text = values});
-  const double density = cursor.real("the density");
-  const double young = cursor.real("Young's modulus");
-  const double poisson = cursor.real("Poisson's ratio");
-  cursor.end_line();
-  const FileMaterial material{.young = young, .poisson = poisson, .density = density};
+      veg.lines.cursor({.place = {.file = line.place.file, .offset = line.place.offset + comma}, .text = values});
+  FileMaterial material;
+  if (law == "ENU") {
+    material.density = cursor.real("the density");
+    material.young = cursor.real("Young's modulus");
+    material.poisson = cursor.real("Poisson's ratio");
+    cursor.end_line();
+  } else {
+    const double first = cursor.real("the density");
+    while (!cursor.line_ends()) cursor.real("a constant of the law");
+    if (law.starts_with("MOONEYRIVLIN") || law.starts_with("ORTHOTROPIC")) material.density = first;
+    material.unread_law = located(veg.lines.sources(), line.place) + "material law " + law.substr(0, 32) +
+                          " is not supported; ritz knows ENU (density, Young's modulus, Poisson's ratio)";
+  }
   veg.materials[name] = checked(veg.lines.sources(), line.place, material);
 }
 
@@ -154,23 +159,36 @@ void read_set_line(VegFile& veg, const Line& line) {
   }
 }
 
-void read_sections(VegFile& veg) {
-  bool in_set = false;
+// A keyword that is not Vega's, on the user's word; its lines go with it.
+void leave_out_keyword(VegFile& veg, const Line& line, std::string_view keyword, const Ignored& ignored) {
+  const std::string shown(keyword.substr(0, 24));
+  leave_out(veg.lines.sources(), line.place, upper(keyword.substr(1)),
+            shown + " is none of *VERTICES, *ELEMENTS, *MATERIAL, *SET, *REGION and *INCLUDE, which Vega has", ignored,
+            veg.mesh);
+}
+
+enum class VegLines { none, set, left_out };
+
+void read_sections(VegFile& veg, const Ignored& ignored) {
+  auto more = VegLines::none;
   while (const auto line = next_line(veg)) {
     const auto text = line->text;
     const auto keyword = text.substr(0, text.find_first_of(" \t,"));
     const std::string rest(trimmed(text.substr(keyword.size())));
-    if (in_set && text.front() != '*') {
-      read_set_line(veg, *line);
+    if (more != VegLines::none && text.front() != '*') {
+      if (more == VegLines::set) read_set_line(veg, *line);
       continue;
     }
-    in_set = keyword == "*SET";
+    more = keyword == "*SET" ? VegLines::set : VegLines::none;
     if (keyword == "*VERTICES") read_vertices(veg);
     else if (keyword == "*ELEMENTS") read_elements(veg);
     else if (keyword == "*MATERIAL") read_material(veg, rest);
     else if (keyword == "*SET") begin_set(veg, rest);
     else if (keyword == "*REGION") read_region(veg);
-    else {
+    else if (text.front() == '*') {
+      leave_out_keyword(veg, *line, keyword, ignored);
+      more = VegLines::left_out;
+    } else {
       veg.lines.fail(line->place, "expected *VERTICES, *ELEMENTS, *MATERIAL, *SET, *REGION or *INCLUDE, found '" +
                                       std::string(text.substr(0, 24)) + "' (more entries than stated?)");
     }
@@ -218,7 +236,7 @@ void resolve_regions(VegFile& veg) {
 
 }  // namespace
 
-FileMesh read_veg(Sources& sources, unsigned file, const Ignored&) {
+FileMesh read_veg(Sources& sources, unsigned file, const Ignored& ignored) {
   VegFile veg{.lines = Lines(sources, file),
               .mesh = {},
               .sets = {},
@@ -226,7 +244,7 @@ FileMesh read_veg(Sources& sources, unsigned file, const Ignored&) {
               .materials = {},
               .regions = {},
               .last = {.file = file, .offset = 0}};
-  read_sections(veg);
+  read_sections(veg, ignored);
   resolve_sets(veg);
   resolve_regions(veg);
   return finish(sources, std::move(veg.mesh));

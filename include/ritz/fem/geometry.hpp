@@ -21,7 +21,7 @@ double volume(const Coordinates<E>& x) {
 }
 
 /// The smallest det J over the points of the element's rule and its corners, m³ (of a straight tetrahedron six times
-/// its volume, of a box an eighth). Zero or less: the cell is inverted or folded and has no stiffness.
+/// its volume, of a box an eighth). Zero or less: the cell is inverted or folded, at a corner at least.
 template <class E>
 double smallest_jacobian(const Coordinates<E>& x) {
   const Coordinates<E> origin_first = relative<E>(x);
@@ -31,6 +31,21 @@ double smallest_jacobian(const Coordinates<E>& x) {
   };
   for (const auto& sample : E::rule) look(sample.xi);
   for (int corner = 0; corner < shape(E::type).corners; ++corner) look(E::reference[corner]);
+  return smallest;
+}
+
+/// The same over the points of the rules for stiffness and mass alone: what the cell's integrals see. Zero or less:
+/// they mean nothing. A curved cell may be positive here and not at a corner, where a mid-edge vertex stands at the
+/// quarter of its edge.
+template <class E>
+double smallest_integrated_jacobian(const Coordinates<E>& x) {
+  const Coordinates<E> origin_first = relative<E>(x);
+  double smallest = std::numeric_limits<double>::infinity();
+  const auto look = [&](const Point<3>& xi) {
+    smallest = std::min(smallest, jacobian<E>(origin_first, xi).determinant());
+  };
+  for (const auto& sample : E::rule) look(sample.xi);
+  for (const auto& sample : E::mass_rule) look(sample.xi);
   return smallest;
 }
 
