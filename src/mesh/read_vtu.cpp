@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ritz/base/counted.hpp"
 #include "ritz/mesh/read_groups.hpp"
 #include "ritz/mesh/read_vtu_array.hpp"
 
@@ -39,21 +40,53 @@ Index times(const VtuFile& vtu, const pugi::xml_node& node, Index count, Index e
   return count * each;
 }
 
-Shape shape_of(const VtuFile& vtu, const pugi::xml_node& node, Index type) {
+[[noreturn]] void refuse_type(const VtuFile& vtu, const pugi::xml_node& node, const std::string& what) {
+  vtu.fail(node, what +
+                     " is not supported; ritz has tetrahedra (10, 24) and hexahedra (11, 12), Lagrange cells (71, 72) "
+                     "of as many vertices, and lines, triangles and quadrilaterals that only carry sets");
+}
+
+// VTK's Lagrange cells (68 to 73) have any order; the first two are those that ritz has, in the same order of vertices.
+std::optional<Shape> lagrange_shape(Index type, Index vertices) {
+  if (type == 68 && vertices == 2) return Shape::line2;
+  if (type == 68 && vertices == 3) return Shape::line3;
+  if (type == 69 && vertices == 3) return Shape::tri3;
+  if (type == 69 && vertices == 6) return Shape::tri6;
+  if (type == 70 && vertices == 4) return Shape::quad4;
+  if (type == 71 && vertices == 4) return Shape::tet4;
+  if (type == 71 && vertices == 10) return Shape::tet10;
+  if (type == 72 && vertices == 8) return Shape::hex8;
+  return std::nullopt;
+}
+
+Shape shape_of(const VtuFile& vtu, const pugi::xml_node& node, Index type, Index vertices) {
   switch (type) {
     case 1: return Shape::point;
     case 3: return Shape::line2;
     case 5: return Shape::tri3;
+    case 8:
     case 9: return Shape::quad4;
     case 10: return Shape::tet4;
+    case 11:
     case 12: return Shape::hex8;
     case 21: return Shape::line3;
     case 22: return Shape::tri6;
     case 24: return Shape::tet10;
-    default:
-      vtu.fail(node, "VTK cell type " + std::to_string(type) +
-                         " is not supported; ritz has tetrahedra (10, 24) and hexahedra (12)");
+    default: break;
   }
+  const auto shape = lagrange_shape(type, vertices);
+  if (!shape && type >= 68 && type <= 73)
+    refuse_type(
+        vtu, node,
+        "a Lagrange cell (VTK type " + std::to_string(type) + ") with " + std::to_string(vertices) + " vertices");
+  if (!shape) refuse_type(vtu, node, "VTK cell type " + std::to_string(type));
+  return *shape;
+}
+
+// Pixels and voxels count along x, then y, then z, where quadrilaterals and hexahedra go around.
+void reorder_from_vtk(Index type, std::span<Index> vertices) {
+  if (type == 8 || type == 11) std::swap(vertices[2], vertices[3]);
+  if (type == 11) std::swap(vertices[6], vertices[7]);
 }
 
 void read_points(const VtuFile& vtu, const pugi::xml_node& piece, const PieceSize& size, VtuMesh& to) {
@@ -95,9 +128,10 @@ void read_cells(const VtuFile& vtu, const pugi::xml_node& piece, const PieceSize
   const auto place = vtu.place(vertex_array);
   Index begin = 0;
   for (std::size_t c = 0; c < types.size(); ++c) {
-    const auto shape = shape_of(vtu, type_array, types[c]);
     const auto id = static_cast<Index>(to.mesh.shapes.size());
-    if (offsets[c] > offsets.back() || offsets[c] - begin != traits(shape).vertices) {
+    const bool ascending = offsets[c] >= begin && offsets[c] <= offsets.back();
+    const auto shape = shape_of(vtu, type_array, types[c], ascending ? offsets[c] - begin : 0);
+    if (!ascending || offsets[c] - begin != traits(shape).vertices) {
       vtu.fail(offset_array, "cell " + std::to_string(id) + " does not have the vertices its type needs");
     }
     std::array<Index, fem::max_cell_vertices> ids;
@@ -109,9 +143,26 @@ void read_cells(const VtuFile& vtu, const pugi::xml_node& piece, const PieceSize
                                    ", which the file does not list");
       ids[static_cast<std::size_t>(i - begin)] = first_point + vertex;
     }
+    reorder_from_vtk(types[c], ids);
     add_cell(to.mesh, shape, id, std::span(ids).first(static_cast<std::size_t>(offsets[c] - begin)), place);
     if (!regions.empty()) join_group(to.groups, to.mesh, regions[c]);
     begin = offsets[c];
+  }
+}
+
+// A cell that VTK marks as a duplicate of another piece's, or as hidden, is no cell of the body.
+void refuse_ghosts(const VtuFile& vtu, const pugi::xml_node& piece, const PieceSize& size, const Ignored& ignored,
+                   ListedMesh& mesh) {
+  for (const std::string name : {"vtkGhostType", "vtkGhostLevels"}) {
+    const auto array = piece.child("CellData").find_child_by_attribute("DataArray", "Name", name.c_str());
+    if (!array || size.cells == 0) continue;
+    const auto marks = integers(vtu, array, size.cells);
+    const auto marked = std::count_if(marks.begin(), marks.end(), [](Index mark) { return mark != 0; });
+    if (marked == 0) continue;
+    leave_out(vtu.sources, vtu.place(array), upper(name),
+              name + " marks " + counted(marked, "cell", "cells") +
+                  " as duplicate or hidden, and ritz takes every cell as one of the body",
+              ignored, mesh);
   }
 }
 
@@ -138,7 +189,7 @@ void add_vertex_sets(VtuMesh& from) {
 
 }  // namespace
 
-FileMesh read_vtu(Sources& sources, unsigned file, const Ignored&) {
+FileMesh read_vtu(Sources& sources, unsigned file, const Ignored& ignored) {
   const auto vtu = open_vtu(sources, file);
   const auto grid = vtu.document.child("VTKFile").child("UnstructuredGrid");
   if (!grid) vtu.fail(vtu.document.child("VTKFile"), "has no <UnstructuredGrid>");
@@ -149,6 +200,7 @@ FileMesh read_vtu(Sources& sources, unsigned file, const Ignored&) {
     const auto first_point = static_cast<Index>(result.mesh.points.size());
     read_points(vtu, piece, size, result);
     read_cells(vtu, piece, size, first_point, result);
+    refuse_ghosts(vtu, piece, size, ignored, result.mesh);
     read_vertex_sets(vtu, piece, size, first_point, result);
   }
   name_groups(result.groups, result.mesh);

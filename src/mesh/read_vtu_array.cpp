@@ -1,7 +1,9 @@
 #include "ritz/mesh/read_vtu_array.hpp"
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 namespace ritz::mesh {
@@ -17,8 +19,10 @@ std::vector<To> converted(const VtuFile& vtu, const pugi::xml_node& array, const
   }
   std::vector<To> values(static_cast<std::size_t>(count));
   for (std::size_t i = 0; i < values.size(); ++i) {
-    From value;
-    std::memcpy(&value, bytes.data() + i * sizeof(From), sizeof(From));
+    std::array<char, sizeof(From)> raw;
+    std::copy_n(bytes.data() + i * sizeof(From), sizeof(From), raw.begin());
+    if (vtu.blocks.order == VtuOrder::big) std::reverse(raw.begin(), raw.end());
+    const auto value = std::bit_cast<From>(raw);
     if constexpr (std::is_same_v<From, std::uint64_t>) {
       if (value > std::numeric_limits<Index>::max()) vtu.fail(array, "a number is too large");
     }

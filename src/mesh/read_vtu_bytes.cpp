@@ -1,17 +1,29 @@
 #include "ritz/mesh/read_vtu_bytes.hpp"
 
+#include <lz4.h>
+#include <lzma.h>
 #include <zlib.h>
 
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <limits>
 #include <utility>
 #include <vector>
 
 namespace ritz::mesh {
 namespace {
 
-constexpr std::uint64_t most_zlib_can_pack = 1040;  // bytes out of one compressed byte
+// Bytes out of one compressed byte, at most: what a block may claim.
+constexpr std::uint64_t most_packed(VtuCompression compression) {
+  switch (compression) {
+    case VtuCompression::zlib: return 1040;
+    case VtuCompression::lz4: return 260;
+    case VtuCompression::lzma: return 8000;
+    case VtuCompression::none: break;
+  }
+  return 1;
+}
 
 constexpr auto base64_values = [] {
   constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -49,9 +61,13 @@ class ByteStream {
     return bytes;
   }
 
-  std::uint64_t number(std::size_t size) {
+  std::uint64_t number(const VtuBlocks& blocks) {
+    const auto bytes = take(blocks.header_size);
     std::uint64_t value = 0;
-    std::memcpy(&value, take(size).data(), size);
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+      const std::size_t at = blocks.order == VtuOrder::big ? i : bytes.size() - 1 - i;
+      value = value << 8 | static_cast<unsigned char>(bytes[at]);
+    }
     return value;
   }
 
@@ -84,25 +100,46 @@ class ByteStream {
   std::string left_;
 };
 
+// Unpacks one block into `plain`, which has the size that it must come to.
+bool unpack(VtuCompression compression, const std::string& block, std::string& plain) {
+  const auto* const from = reinterpret_cast<const std::uint8_t*>(block.data());
+  auto* const to = reinterpret_cast<std::uint8_t*>(plain.data());
+  if (compression == VtuCompression::zlib) {
+    uLongf length = plain.size();
+    return uncompress(to, &length, from, block.size()) == Z_OK && length == plain.size();
+  }
+  if (compression == VtuCompression::lz4) {
+    constexpr auto most = static_cast<std::size_t>(std::numeric_limits<int>::max());
+    if (block.size() > most || plain.size() > most) return false;
+    const int length =
+        LZ4_decompress_safe(block.data(), plain.data(), static_cast<int>(block.size()), static_cast<int>(plain.size()));
+    return length >= 0 && static_cast<std::size_t>(length) == plain.size();
+  }
+  std::uint64_t memory = std::uint64_t{256} << 20;
+  std::size_t read = 0, written = 0;
+  return lzma_stream_buffer_decode(&memory, 0, nullptr, from, &read, block.size(), to, &written, plain.size()) ==
+             LZMA_OK &&
+         written == plain.size();
+}
+
 // Header: number of blocks, size of a block, size of the last one if it is shorter (else 0), compressed sizes.
-std::string decompress(ByteStream& stream, std::size_t header_size) {
-  const auto count = stream.number(header_size);
-  const auto size = stream.number(header_size);
-  const auto last_size = stream.number(header_size);
-  if (count > stream.most() / header_size) stream.fail("the compressed data states more blocks than there can be");
+std::string decompress(ByteStream& stream, const VtuBlocks& blocks) {
+  const auto count = stream.number(blocks);
+  const auto size = stream.number(blocks);
+  const auto last_size = stream.number(blocks);
+  if (count > stream.most() / blocks.header_size)
+    stream.fail("the compressed data states more blocks than there can be");
   if (last_size > size) stream.fail("the compressed data states a wrong block size");
   std::vector<std::uint64_t> packed(count);
-  for (auto& bytes : packed) bytes = stream.number(header_size);
+  for (auto& bytes : packed) bytes = stream.number(blocks);
   std::string result;
   for (std::size_t i = 0; i < count; ++i) {
     const auto block = stream.take(packed[i]);
     const auto wanted = i + 1 == count && last_size > 0 ? last_size : size;
-    if (wanted > block.size() * most_zlib_can_pack) stream.fail("the compressed data states a wrong block size");
+    if (wanted > block.size() * most_packed(blocks.compression))
+      stream.fail("the compressed data states a wrong block size");
     std::string plain(wanted, '\0');
-    uLongf length = wanted;
-    const auto* const from = reinterpret_cast<const Bytef*>(block.data());
-    const int code = uncompress(reinterpret_cast<Bytef*>(plain.data()), &length, from, block.size());
-    if (code != Z_OK || length != wanted) stream.fail("the compressed data is corrupt");
+    if (!unpack(blocks.compression, block, plain)) stream.fail("the compressed data is corrupt");
     result += plain;
   }
   return result;
@@ -112,8 +149,8 @@ std::string decompress(ByteStream& stream, std::size_t header_size) {
 
 std::string decode(const Sources& sources, const VtuText& data, const VtuBlocks& blocks) {
   ByteStream stream(sources, data);
-  if (blocks.compression == VtuCompression::zlib) return decompress(stream, blocks.header_size);
-  return stream.take(stream.number(blocks.header_size));
+  if (blocks.compression != VtuCompression::none) return decompress(stream, blocks);
+  return stream.take(stream.number(blocks));
 }
 
 }  // namespace ritz::mesh

@@ -1,16 +1,18 @@
-// The binary data of a VTK XML file: raw or base64, plain or compressed by zlib.
+// The binary data of a VTK XML file: raw or base64, plain or compressed by zlib, LZ4 or LZMA.
 #pragma once
 #include "ritz/mesh/read_source.hpp"
 
 namespace ritz::mesh {
 
 enum class VtuEncoding { base64, raw };
-enum class VtuCompression { none, zlib };
+enum class VtuCompression { none, zlib, lz4, lzma };
+enum class VtuOrder { little, big };  ///< which byte of a number comes first
 
 /// How a file writes its blocks of binary data.
 struct VtuBlocks {
   VtuCompression compression = VtuCompression::none;
-  std::size_t header_size = 4;  ///< bytes of each header number: 4 or 8
+  std::size_t header_size = 4;        ///< bytes of each header number: 4 or 8
+  VtuOrder order = VtuOrder::little;  ///< of header numbers and of the data
 };
 
 /// Where encoded data stands.

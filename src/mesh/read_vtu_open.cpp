@@ -35,15 +35,18 @@ void check_header(VtuFile& vtu) {
   const std::string type = root.attribute("type").value();
   if (type != "UnstructuredGrid") vtu.fail(root, "the file holds '" + type + "', not an UnstructuredGrid");
   const std::string order = root.attribute("byte_order").as_string("LittleEndian");
-  if (order != "LittleEndian") vtu.fail(root, "byte order " + order + " is not supported, only LittleEndian");
+  if (order != "LittleEndian" && order != "BigEndian")
+    vtu.fail(root, "byte order " + order + " is not LittleEndian or BigEndian");
+  vtu.blocks.order = order == "BigEndian" ? VtuOrder::big : VtuOrder::little;
   const std::string header = root.attribute("header_type").as_string("UInt32");
   if (header != "UInt32" && header != "UInt64") vtu.fail(root, "header type " + header + " is not UInt32 or UInt64");
   vtu.blocks.header_size = header == "UInt64" ? 8 : 4;
   const std::string compressor = root.attribute("compressor").value();
-  if (!compressor.empty() && compressor != "vtkZLibDataCompressor") {
-    vtu.fail(root, "compression by " + compressor + " is not supported, only by vtkZLibDataCompressor");
-  }
-  if (!compressor.empty()) vtu.blocks.compression = VtuCompression::zlib;
+  if (compressor == "vtkZLibDataCompressor") vtu.blocks.compression = VtuCompression::zlib;
+  else if (compressor == "vtkLZ4DataCompressor") vtu.blocks.compression = VtuCompression::lz4;
+  else if (compressor == "vtkLZMADataCompressor") vtu.blocks.compression = VtuCompression::lzma;
+  else if (!compressor.empty())
+    vtu.fail(root, "compression by " + compressor + " is none of VTK's (vtkZLib-, vtkLZ4- and vtkLZMADataCompressor)");
 }
 
 }  // namespace

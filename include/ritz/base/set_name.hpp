@@ -1,0 +1,76 @@
+// What a name means where a mesh file gives one name to sets of several kinds.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ritz/base/error.hpp"
+#include "ritz/base/nearest.hpp"
+
+namespace ritz {
+
+/// What a set is asked for.
+enum class SetUse {
+  vertices,  ///< supports, forces shared by vertices, probes: as Abaqus's *BOUNDARY, *CLOAD and *NODE PRINT
+  surface    ///< pressure and traction: as *DSLOAD
+};
+
+/// The kinds by which sets of one name are told apart: "KIND:NAME". Abaqus has nset, elset and surface; Gmsh's physical
+/// groups and cells of VTK have the others by their dimension, VTK's point arrays are points.
+inline constexpr std::array<std::string_view, 7> set_kinds = {"nset",  "points",  "elset", "point",
+                                                              "curve", "surface", "volume"};
+
+/// "KIND:NAME".
+inline std::string of_kind(std::string_view kind, std::string_view name) {
+  return std::string(kind) + ':' + std::string(name);
+}
+
+/// "'a', 'b' or 'c'".
+inline std::string listed_names(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "'" : i + 1 < names.size() ? ", '" : " or '") + names[i] + "'";
+  return text;
+}
+
+/// The sets that `asked` may mean: the one of exactly this name, else those of this name and some kind that fit the use
+/// best. Empty where there is none.
+inline std::vector<std::string> meant_sets(const std::vector<std::string>& names, const std::string& asked,
+                                           SetUse use) {
+  const auto has = [&](const std::string& name) { return std::find(names.begin(), names.end(), name) != names.end(); };
+  if (has(asked)) return {asked};
+  std::vector<std::string> meant;
+  for (const auto kind : set_kinds) {
+    const auto name = of_kind(kind, asked);
+    if (!has(name)) continue;
+    const bool first = use == SetUse::surface ? kind == "surface" : kind == "nset" || kind == "points";
+    if (first) return {name};
+    meant.push_back(name);
+  }
+  // A whole body is not what a support or a load is put on, where a part of its boundary has the same name.
+  if (meant.size() > 1 && meant.back() == of_kind("volume", asked)) meant.pop_back();
+  return meant;
+}
+
+/// The name of the set that `asked` means for this use. Throws InputError, which begins with `where` (such as "option
+/// -fix FIX: the mesh"), when there is none, naming the nearest, or when several are left, listing them.
+inline std::string resolve_set(const std::vector<std::string>& names, const std::string& asked, SetUse use,
+                               const std::string& where) {
+  const auto meant = meant_sets(names, asked, use);
+  if (meant.size() == 1) return meant[0];
+  if (meant.size() > 1)
+    throw InputError(where + " has several sets '" + asked + "'; say which: " + listed_names(meant));
+  if (names.empty()) throw InputError(where + " has no set '" + asked + "'; it has no named sets");
+  const auto colon = asked.find(':');
+  const bool kind_said = colon != asked.npos && std::find(set_kinds.begin(), set_kinds.end(),
+                                                          std::string_view(asked).substr(0, colon)) != set_kinds.end();
+  const auto plain = kind_said ? asked.substr(colon + 1) : asked;
+  if (kind_said && std::find(names.begin(), names.end(), plain) != names.end())
+    throw InputError(where + " has one set of that name; write it '" + plain + "'");
+  throw InputError(where + " has no set '" + asked + "'; did you mean '" + nearest(asked, names) + "'?");
+}
+
+}  // namespace ritz
