@@ -4,28 +4,34 @@
 
 #include "ritz/base/error.hpp"
 #include "ritz/base/nearest.hpp"
+#include "ritz/base/set_name.hpp"
 #include "ritz/parallel/comm.hpp"
 
 namespace ritz::app {
 
-const mesh::Set& find_set(const mesh::Mesh& mesh, const std::string& name) {
+namespace {
+
+const mesh::Set& meant_set(const mesh::Mesh& mesh, const std::string& name, SetUse use) {
   std::vector<std::string> known;
   for (const auto& set : mesh.sets) known.push_back(set.name);
-  const mesh::Set* set = mesh.find(name);
-  if (!set)
-    throw InputError("the scene names a set '" + name + "', which the mesh does not have" +
-                     (known.empty() ? "; it has no named sets" : "; did you mean '" + nearest(name, known) + "'?"));
-  if (set->vertices_total == 0) throw InputError("the scene names the set '" + name + "', which is empty");
-  return *set;
+  const auto& set = *mesh.find(resolve_set(known, name, use, "the mesh, on which the scene acts,"));
+  if (set.vertices_total == 0) throw InputError("the scene names the set '" + set.name + "', which is empty");
+  return set;
+}
+
+}  // namespace
+
+const mesh::Set& find_set(const mesh::Mesh& mesh, const std::string& name) {
+  return meant_set(mesh, name, SetUse::vertices);
 }
 
 const mesh::Set& find_surface(const mesh::Mesh& mesh, const std::string& name, const std::string& what) {
-  const mesh::Set& found = find_set(mesh, name);
+  const mesh::Set& found = meant_set(mesh, name, SetUse::surface);
   if (found.faces_total > 0) return found;
   std::vector<std::string> surfaces;
   for (const auto& set : mesh.sets)
     if (set.faces_total > 0) surfaces.push_back(set.name);
-  throw InputError(what + " needs a surface, and the set '" + name + "' has none" +
+  throw InputError(what + " needs a surface, and the set '" + found.name + "' has none" +
                    (surfaces.empty() ? "; no set of the mesh has one"
                                      : "; the nearest set with one is '" + nearest(name, surfaces) + "'"));
 }

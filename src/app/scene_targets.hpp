@@ -5,10 +5,12 @@
 
 namespace ritz::app {
 
-/// Throws InputError for a set that the mesh does not have (naming the nearest) or that is empty.
+/// What a force or a probe means by this name (base/set_name.hpp). Throws InputError for a set that the mesh does not
+/// have (naming the nearest), that is one of several, or that is empty.
 const mesh::Set& find_set(const mesh::Mesh& mesh, const std::string& name);
 
-/// As above, and for a set that bounds nothing; `what` needs the surface.
+/// What a pressure or a traction means by it. Throws as above, and for a set that bounds nothing; `what` needs the
+/// surface.
 const mesh::Set& find_surface(const mesh::Mesh& mesh, const std::string& name, const std::string& what);
 
 /// Throws InputError on all ranks when no rank owns a vertex with the mesh file's own number `id`. *Collective*.

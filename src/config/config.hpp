@@ -75,8 +75,8 @@ struct Config {
 Config read_config(MPI_Comm comm, Program program = Program::reduce);
 
 /// The material of each region in SI: -material_REGION_* over -material_* over the mesh file's own; '_' may stand for a
-/// blank in REGION. Throws InputError for a region without a complete or with an impossible material, and for a region
-/// that does not exist or that cannot be told from another.
+/// blank in REGION, which may also name a larger volume that the region lies in. Throws InputError for a region without
+/// a complete or with an impossible material, and for a region that does not exist or that cannot be told from another.
 std::vector<fem::StVK> region_materials(const Config& config, const std::vector<mesh::Region>& regions);
 
 }  // namespace ritz::config

@@ -3,6 +3,7 @@
 
 #include "ritz/base/error.hpp"
 #include "ritz/base/nearest.hpp"
+#include "ritz/base/set_name.hpp"
 #include "ritz/base/shown.hpp"
 #include "ritz/config/config.hpp"
 
@@ -33,18 +34,51 @@ std::size_t named_region(const std::string& name, const std::vector<std::string>
   return blank[0];
 }
 
-/// By region: the options of its own, or none.
-std::vector<const MaterialOptions*> own_options(const Config& config, const std::vector<mesh::Region>& regions) {
+/// The options of each name that a region or one of its parts has, where there are any.
+std::map<std::string, const MaterialOptions*> named_options(const Config& config,
+                                                            const std::vector<mesh::Region>& regions) {
   std::vector<std::string> names;
-  for (const auto& region : regions) names.push_back(region.name);
-  std::vector<const MaterialOptions*> own(regions.size(), nullptr);
+  const auto add = [&](const std::string& name) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  };
+  for (const auto& region : regions) {
+    add(region.name);
+    for (const auto& part : region.parts) add(part);
+  }
+  std::map<std::string, const MaterialOptions*> own;
   for (const auto& [name, material] : config.by_region) {
-    auto& place = own[named_region(name, names)];
-    if (place)
+    const auto& region = names[named_region(name, names)];
+    if (own.contains(region))
       throw InputError(option_of(name) + "another option writes the same region with its blanks; write it one way");
-    place = &material;
+    own[region] = &material;
   }
   return own;
+}
+
+using Constant = std::optional<double> MaterialOptions::*;
+
+/// What the options of a region's own name say of a constant, or else those of its parts: the smallest of nested ones,
+/// all alike of others. `word` names the constant.
+std::optional<double> own_value(const std::map<std::string, const MaterialOptions*>& options,
+                                const mesh::Region& region, Constant constant, const std::string& word) {
+  const auto stated = [&](const std::string& name) {
+    const auto found = options.find(name);
+    return found != options.end() ? found->second->*constant : std::nullopt;
+  };
+  auto value = stated(region.name);
+  if (value) return value;
+  for (const auto& part : region.parts) {
+    const auto of_part = stated(part);
+    if (!of_part) continue;
+    if (region.overlap == mesh::Overlap::nested) return of_part;
+    if (value && *value != *of_part)
+      throw InputError("cells lie in several of the volumes " + listed_names(region.parts) +
+                       ", none of which is part of another, and -material_..._" + word +
+                       " differs between them; say what holds in region '" + region.name + "' with -material_" +
+                       underscored(region.name) + "_" + word);
+    value = of_part;
+  }
+  return value;
 }
 
 void check(const fem::StVK& m, const std::string& region) {
@@ -61,14 +95,13 @@ void check(const fem::StVK& m, const std::string& region) {
 std::vector<fem::StVK> region_materials(const Config& config, const std::vector<mesh::Region>& regions) {
   static const std::map<std::string, std::string> names = {
       {"young", "Young's modulus"}, {"poisson", "Poisson's ratio"}, {"density", "density"}};
-  const auto options = own_options(config, regions);
+  const auto options = named_options(config, regions);
   const auto& units = config.source.units;
   std::vector<fem::StVK> materials;
   for (const auto& region : regions) {
-    const MaterialOptions* own = options[materials.size()];
-    const auto value = [&](std::optional<double> MaterialOptions::*member, double factor,
-                           const std::optional<double>& of_file, const std::string& word) {
-      if (own && own->*member) return *(own->*member) * factor;
+    const auto value = [&](Constant member, double factor, const std::optional<double>& of_file,
+                           const std::string& word) {
+      if (const auto own = own_value(options, region, member, word)) return *own * factor;
       if (config.material.*member) return *(config.material.*member) * factor;
       if (of_file) return *of_file;
       const auto options = "-material_" + word + " or -material_" + underscored(region.name) + "_" + word;

@@ -1,7 +1,11 @@
 #include "ritz/config/supports.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <optional>
+#include <span>
+#include <string_view>
 
 #include "ritz/base/error.hpp"
 
@@ -12,26 +16,50 @@ namespace {
   throw InputError("option -fix " + text + ": " + why);
 }
 
-std::vector<std::string> split(const std::string& text) {
-  std::vector<std::string> words(1);
-  for (const char c : text) {
-    if (c == ',') words.emplace_back();
-    else words.back() += c;
+/// A word of the list: the name that it begins with in double quotes, if any, and what stands after it.
+struct Word {
+  std::optional<std::string> quoted;
+  std::string rest;
+};
+
+/// Commas part words; not those within the double quotes that a word begins with.
+std::vector<Word> split(const std::string& text) {
+  std::vector<Word> words;
+  std::size_t at = 0;
+  for (bool more = true; more; ++at) {
+    auto& word = words.emplace_back();
+    if (at < text.size() && text[at] == '"') {
+      const auto close = text.find('"', at + 1);
+      if (close == text.npos) refuse(text, "the quote before '" + text.substr(at + 1) + "' is not closed");
+      word.quoted = text.substr(at + 1, close - at - 1);
+      at = close + 1;
+    }
+    const auto end = std::min(text.find(',', at), text.size());
+    word.rest = text.substr(at, end - at);
+    more = end < text.size();
+    at = end;
   }
   return words;
 }
 
-/// Takes ":xyz" off the end of a word; all three components where there is none.
+/// The components that ":xyz" at the end of a word names; none where nothing of the kind stands there.
+std::optional<std::array<bool, mesh::components>> components_of(const std::string& word) {
+  const auto colon = word.rfind(':');
+  if (colon == word.npos || colon + 1 == word.size()) return std::nullopt;
+  const auto letters = std::string_view(word).substr(colon + 1);
+  if (letters.find_first_not_of("xyz") != letters.npos) return std::nullopt;
+  const auto has = [&](char c) { return letters.find(c) != letters.npos; };
+  return std::array{has('x'), has('y'), has('z')};
+}
+
+/// Takes ":xyz" off the end of a box's last number.
 std::array<bool, mesh::components> take_components(std::string& word, const std::string& text) {
   const auto colon = word.rfind(':');
-  if (colon == word.npos || colon + 1 == word.size()) return {true, true, true};
-  const std::string letters = word.substr(colon + 1);
-  if (letters.find_first_not_of("xyz") != letters.npos) {
-    if (word.find('.') != word.npos) return {true, true, true};
-    refuse(text, "'" + letters + "' are no components; write some of xyz after the colon");
-  }
+  if (colon == word.npos) return {true, true, true};
+  const auto fixed = components_of(word);
+  if (!fixed) refuse(text, "'" + word.substr(colon + 1) + "' are no components; write some of xyz after the colon");
   word.erase(colon);
-  return {letters.find('x') != letters.npos, letters.find('y') != letters.npos, letters.find('z') != letters.npos};
+  return *fixed;
 }
 
 double number(const std::string& word, const std::string& text) {
@@ -45,7 +73,9 @@ double number(const std::string& word, const std::string& text) {
 }
 
 /// Six words from `first` on: "box:x0", x1, y0, y1, z0, "z1[:xyz]".
-mesh::Fixed box(std::vector<std::string> words, const mesh::Units& units, const std::string& text) {
+mesh::Fixed box(std::span<const Word> from, const mesh::Units& units, const std::string& text) {
+  std::vector<std::string> words;
+  for (const auto& word : from) words.push_back(word.rest);
   mesh::Fixed fixed;
   fixed.text = text;
   words[0].erase(0, 4);
@@ -61,6 +91,22 @@ mesh::Fixed box(std::vector<std::string> words, const mesh::Units& units, const 
   return fixed;
 }
 
+/// A set: "NAME", "NAME:xyz", or either with the name in double quotes.
+mesh::Fixed named(const Word& word, const std::string& text) {
+  mesh::Fixed fixed;
+  fixed.text = text;
+  const auto components = components_of(word.rest);
+  const auto& all = word.rest;
+  if (word.quoted && !all.empty() && (!components || all.rfind(':') != 0))
+    refuse(text, "'" + all + "' follows a name in quotes; write some of :xyz there");
+  if (components) fixed.fixed = *components;
+  if (components && !word.quoted) fixed.whole_name = all;
+  const auto name = word.quoted ? *word.quoted : components ? all.substr(0, all.rfind(':')) : all;
+  if (name.empty()) refuse(text, "there is an empty name in the list");
+  fixed.where = name;
+  return fixed;
+}
+
 }  // namespace
 
 Supports parse_supports(const std::string& text, const mesh::Units& units) {
@@ -68,22 +114,16 @@ Supports parse_supports(const std::string& text, const mesh::Units& units) {
   if (text == "none") return supports;
   const auto words = split(text);
   for (std::size_t i = 0; i < words.size(); ++i) {
-    std::string word = words[i];
-    if (word.starts_with("box:")) {
+    if (!words[i].quoted && words[i].rest.starts_with("box:")) {
       if (i + 6 > words.size()) refuse(text, "a box needs six numbers, box:x0,x1,y0,y1,z0,z1");
-      const auto from = words.begin() + static_cast<std::ptrdiff_t>(i);
-      supports.fixed.push_back(box({from, from + 6}, units, text));
+      supports.fixed.push_back(box(std::span(words).subspan(i, 6), units, text));
       i += 5;
       continue;
     }
-    mesh::Fixed fixed;
-    fixed.text = text;
-    fixed.fixed = take_components(word, text);
-    if (word.empty()) refuse(text, "there is an empty name in the list");
-    if (word == "none") refuse(text, "'none' stands alone");
-    if (word.ends_with(".bou")) supports.vertex_lists.emplace_back(word);
-    fixed.where = word;
-    supports.fixed.push_back(fixed);
+    if (!words[i].quoted && words[i].rest == "none") refuse(text, "'none' stands alone");
+    supports.fixed.push_back(named(words[i], text));
+    const auto& name = std::get<std::string>(supports.fixed.back().where);
+    if (name.ends_with(".bou")) supports.vertex_lists.emplace_back(name);
   }
   return supports;
 }

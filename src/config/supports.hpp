@@ -15,7 +15,8 @@ struct Supports {
 };
 
 /// "SET[:xyz],…", "FILE.bou", "box:x0,x1,y0,y1,z0,z1[:xyz]", or a list of these separated by commas; "none" holds
-/// nothing. Lengths of boxes are in `units`. Throws InputError.
+/// nothing. A SET may stand in double quotes, within which ':' and ',' are its own. Lengths of boxes are in `units`.
+/// Throws InputError.
 Supports parse_supports(const std::string& text, const mesh::Units& units);
 
 }  // namespace ritz::config

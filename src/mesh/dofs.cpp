@@ -3,31 +3,50 @@
 #include <algorithm>
 
 #include "ritz/base/error.hpp"
-#include "ritz/base/nearest.hpp"
 #include "ritz/base/random.hpp"
+#include "ritz/base/set_name.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/petsc/check.hpp"
 
 namespace ritz::mesh {
 namespace {
 
-const Set& find_set(const Mesh& mesh, const std::string& name, const std::string& text) {
-  if (const Set* set = mesh.find(name)) return *set;
-  std::vector<std::string> names;
-  for (const auto& set : mesh.sets) names.push_back(set.name);
-  if (names.empty())
-    throw InputError("option -fix " + text + ": the mesh has no named sets; use box:x0,x1,y0,y1,z0,z1");
-  throw InputError("option -fix " + text + ": the mesh has no set '" + name + "'; did you mean '" +
-                   nearest(name, names) + "'?");
+/// A name as -fix takes it for that name and nothing else.
+std::string written(const std::string& name) {
+  const auto colon = name.rfind(':');
+  const bool components = colon != name.npos && name.find_first_not_of("xyz", colon + 1) == name.npos;
+  const bool plain = name.find(',') == name.npos && !components && name != "none" && !name.starts_with("box:");
+  return plain ? name : '"' + name + '"';
 }
 
-std::vector<int> vertices_of(const Mesh& mesh, const Fixed& support) {
-  if (const auto* name = std::get_if<std::string>(&support.where)) {
-    const Set& set = find_set(mesh, *name, support.text);
-    if (set.vertices_total == 0) throw InputError("option -fix " + support.text + ": the set '" + *name + "' is empty");
-    return set.vertices;
+/// What a word of -fix names, and the components that it holds there.
+struct Held {
+  const Set& set;
+  std::array<bool, components> fixed;
+};
+
+Held held_set(const Mesh& mesh, const Fixed& support) {
+  const auto& name = std::get<std::string>(support.where);
+  std::vector<std::string> names;
+  for (const auto& set : mesh.sets) names.push_back(set.name);
+  std::string where = "option -fix " + support.text + ": ";
+  if (names.empty()) throw InputError(where + "the mesh has no named sets; use box:x0,x1,y0,y1,z0,z1");
+  const bool short_name = !meant_sets(names, name, SetUse::vertices).empty();
+  if (support.whole_name && !meant_sets(names, *support.whole_name, SetUse::vertices).empty()) {
+    const auto& whole = *support.whole_name;
+    if (short_name)
+      throw InputError(where + "the mesh has a set '" + name + "' and a set '" + whole + "'; write '\"" + name + "\"" +
+                       whole.substr(name.size()) + "' for components of the one or '" + written(whole) +
+                       "' for the other");
+    return {*mesh.find(resolve_set(names, whole, SetUse::vertices, where + "the mesh", written)), {true, true, true}};
   }
-  const auto& box = std::get<Region3>(support.where);
+  const auto colon = name.rfind(':');
+  if (!short_name && colon != name.npos && !support.whole_name)
+    where += "'" + name.substr(colon + 1) + "' are no components (some of xyz), and ";
+  return {*mesh.find(resolve_set(names, name, SetUse::vertices, where + "the mesh", written)), support.fixed};
+}
+
+std::vector<int> inside(const Mesh& mesh, const Region3& box, const std::string& text) {
   std::vector<int> inside;
   Index owned = 0;
   for (int v = 0; v < mesh.local_vertices(); ++v) {
@@ -36,8 +55,7 @@ std::vector<int> vertices_of(const Mesh& mesh, const Fixed& support) {
     inside.push_back(v);
     owned += v < mesh.owned;
   }
-  if (parallel::sum(mesh.comm, owned) == 0)
-    throw InputError("option -fix " + support.text + ": no vertex lies in that box");
+  if (parallel::sum(mesh.comm, owned) == 0) throw InputError("option -fix " + text + ": no vertex lies in that box");
   return inside;
 }
 
@@ -47,6 +65,17 @@ void fix(Mask& mask, const std::vector<int>& vertices, const std::array<bool, co
   for (const int v : vertices)
     for (std::size_t c = 0; c < components; ++c)
       if (which[c]) mask[components * static_cast<std::size_t>(v) + c] = 1;
+}
+
+void fix(const Mesh& mesh, const Fixed& support, Mask& mask) {
+  if (const auto* box = std::get_if<Region3>(&support.where)) {
+    fix(mask, inside(mesh, *box, support.text), support.fixed);
+    return;
+  }
+  const auto [set, fixed] = held_set(mesh, support);
+  if (set.vertices_total == 0)
+    throw InputError("option -fix " + support.text + ": the set '" + set.name + "' is empty");
+  fix(mask, set.vertices, fixed);
 }
 
 /// Numbers owned free components from dofs.first on; then asks the owners of ghosts.
@@ -98,7 +127,7 @@ void number_ghosts(const Mesh& mesh, Dofs& dofs) {
 
 Dofs number(const Mesh& mesh, const std::vector<Fixed>& supports, FileSupports file_supports) {
   Mask mask(components * static_cast<std::size_t>(mesh.local_vertices()), 0);
-  for (const auto& support : supports) fix(mask, vertices_of(mesh, support), support.fixed);
+  for (const auto& support : supports) fix(mesh, support, mask);
   if (file_supports == FileSupports::used)
     for (const auto& support : mesh.supports) fix(mask, support.vertices, support.components);
 

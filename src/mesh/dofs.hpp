@@ -1,6 +1,7 @@
 // Degrees of freedom: three displacements a vertex, less those that a support fixes.
 #pragma once
 #include <array>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -21,7 +22,8 @@ struct Region3 {
 struct Fixed {
   std::variant<std::string, Region3> where;
   std::array<bool, components> fixed = {true, true, true};
-  std::string text;  ///< as the user wrote it, for messages
+  std::string text;                            ///< as the user wrote it, for messages
+  std::optional<std::string> whole_name = {};  ///< a set whose name ends like components: all of them, if it exists
 };
 
 enum class FileSupports { used, ignored };
@@ -42,8 +44,8 @@ struct Dofs {
   bool fixed(int vertex, int component) const { return number(vertex, component) < 0; }
 };
 
-/// Throws InputError on all ranks for a set that does not exist (naming the nearest), a box without vertices, or when
-/// nothing is left free. *Collective*.
+/// Throws InputError on all ranks for a set that does not exist (naming the nearest) or that is one of several, a box
+/// without vertices, or when nothing is left free. *Collective*.
 Dofs number(const Mesh& mesh, const std::vector<Fixed>& supports, FileSupports file_supports);
 
 /// Rows of free degrees of freedom -> rows of owned vertices: 3 a vertex, zeros at fixed components.

@@ -23,10 +23,17 @@ struct FileMaterial {
   std::string unread_density = {};
 };
 
-/// A part of the mesh with one material: a Gmsh physical volume, a Vega region, an Abaqus solid section.
+/// How the named parts of a body that share a region lie in each other.
+enum class Overlap : std::int8_t { nested, crossing };
+
+/// A part of the mesh with one material: a Gmsh physical volume, a Vega region, an Abaqus solid section. Where physical
+/// volumes overlap, the cells of each combination are a region: named by the smallest where each lies inside the next,
+/// else "A & B".
 struct Region {
   std::string name;
   FileMaterial material = {};
+  std::vector<std::string> parts = {};  ///< other names of its material: the larger ones, ascending; or A and B
+  Overlap overlap = Overlap::nested;    ///< crossing: none of `parts` wins over another
 };
 
 /// A face of the boundary as the file lists it (a cell of dimension 2): its vertices, corners first.
@@ -35,8 +42,8 @@ struct FaceCell {
   std::array<Index, fem::max_face_vertices> vertices;
 };
 
-/// A named set of vertices. A set of cells (of any dimension) is the set of all their vertices, mid-edge ones too;
-/// a set of surface cells keeps its faces as well.
+/// A named set of vertices; "KIND:NAME" where the file has sets of several kinds with that name. A set of cells (of any
+/// dimension) is the set of all their vertices, mid-edge ones too; a set of surface cells keeps its faces as well.
 struct NamedSet {
   std::string name;
   std::vector<Index> vertices;  ///< positions in FileMesh::points, ascending, no doubles

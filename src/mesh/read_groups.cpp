@@ -1,5 +1,8 @@
 #include "ritz/mesh/read_groups.hpp"
 
+#include <algorithm>
+#include <array>
+
 namespace ritz::mesh {
 
 void join_group(Groups& groups, ListedMesh& mesh, Index tag) {
@@ -7,10 +10,6 @@ void join_group(Groups& groups, ListedMesh& mesh, Index tag) {
   auto& cells = groups.cells[{dimension, tag}];
   const auto cell = static_cast<Index>(mesh.shapes.size()) - 1;
   if (cells.empty() || cells.back() != cell) cells.push_back(cell);
-  if (dimension != 3 || mesh.cell_regions.back() >= 0) return;
-  const auto [region, added] = groups.regions.try_emplace(tag, static_cast<std::int32_t>(mesh.regions.size()));
-  if (added) mesh.regions.emplace_back();
-  mesh.cell_regions.back() = region->second;
 }
 
 void name_groups(const Groups& groups, ListedMesh& mesh) {
@@ -18,20 +17,23 @@ void name_groups(const Groups& groups, ListedMesh& mesh) {
     const auto name = groups.names.find(key);
     return name != groups.names.end() ? name->second : std::to_string(key.second);
   };
-  for (const auto& [tag, region] : groups.regions)
-    mesh.regions[static_cast<std::size_t>(region)].name = name_of({3, tag});
-
-  std::map<std::string, std::size_t> positions;
-  for (const auto& [key, cells] : groups.cells) {  // ascending in dimension
-    const auto [position, added] = positions.try_emplace(name_of(key), mesh.sets.size());
-    if (added) mesh.sets.push_back({.name = position->first, .vertices = {}, .cells = {}, .faces = {}});
+  constexpr std::array<std::string_view, 4> kinds = {"point", "curve", "surface", "volume"};  // by dimension
+  std::map<std::pair<int, std::string>, std::size_t> positions;
+  for (const auto& [key, cells] : groups.cells) {
+    const std::pair named{key.first, name_of(key)};
+    const auto [position, added] = positions.try_emplace(named, mesh.sets.size());
+    const auto kind = kinds[static_cast<std::size_t>(key.first)];
+    if (added) mesh.sets.push_back({.name = named.second, .vertices = {}, .cells = {}, .faces = {}, .kind = kind});
     auto& set = mesh.sets[position->second];
-    const auto of_solid = [&](Index cell) {
-      return traits(mesh.shapes[static_cast<std::size_t>(cell)]).dimension == 3;
-    };
-    const bool lower = !set.cells.empty() && !of_solid(set.cells.front());
-    if (key.first < 3 || !lower) set.cells.insert(set.cells.end(), cells.begin(), cells.end());
+    set.cells.insert(set.cells.end(), cells.begin(), cells.end());
   }
+  std::vector<Volume> volumes;
+  for (auto& set : mesh.sets) {
+    std::sort(set.cells.begin(), set.cells.end());
+    set.cells.erase(std::unique(set.cells.begin(), set.cells.end()), set.cells.end());
+    if (set.kind == "volume") volumes.push_back({.name = set.name, .cells = set.cells});
+  }
+  make_regions(std::move(volumes), mesh);
 }
 
 }  // namespace ritz::mesh

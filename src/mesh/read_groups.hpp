@@ -11,15 +11,23 @@ namespace ritz::mesh {
 struct Groups {
   using Key = std::pair<int, Index>;
   std::map<Key, std::string> names;
-  std::map<Key, std::vector<Index>> cells;  ///< positions in the listed mesh
-  std::map<Index, std::int32_t> regions;    ///< tag of solids -> position in ListedMesh::regions
+  std::map<Key, std::vector<Index>> cells;  ///< positions in the listed mesh, ascending
 };
 
-/// Puts the cell listed last into a group. A solid's first group is its region.
+/// Puts the cell listed last into a group.
 void join_group(Groups& groups, ListedMesh& mesh, Index tag);
 
-/// Names the regions and makes the sets, when the whole file is read. A group without a name is named by its number.
-/// Groups of one name are one set, but solids give way to cells of lower dimension.
+/// Makes the sets and, of groups of solids, the regions (read_regions.cpp), when the whole file is read. A group
+/// without a name is named by its number. Groups of one name and dimension are one set.
 void name_groups(const Groups& groups, ListedMesh& mesh);
+
+/// A part of the body by name.
+struct Volume {
+  std::string name;
+  std::vector<Index> cells;  ///< ascending
+};
+
+/// The regions that volumes cut the solid cells into: one for each combination of volumes that cells lie in.
+void make_regions(std::vector<Volume> volumes, ListedMesh& mesh);
 
 }  // namespace ritz::mesh

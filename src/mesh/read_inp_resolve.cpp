@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "ritz/base/set_name.hpp"
 #include "ritz/mesh/read_inp_members.hpp"
 
 namespace ritz::mesh {
@@ -14,7 +15,8 @@ struct Resolver {
   InpMissing missing_elements = {};
   InpModel& model;
   Numbering ids;
-  std::map<std::string, std::size_t> set_index;  ///< name in capitals -> ListedMesh::sets
+  std::map<std::string, std::size_t> set_index;  ///< kind and name in capitals -> ListedMesh::sets
+  std::map<std::string, std::string> spelling;   ///< name in capitals -> as first written
 };
 
 std::size_t position_of(const InpSets& sets, const InpSet& set) {
@@ -62,10 +64,12 @@ std::vector<Index> target(Resolver& look, const std::string& name, Place place, 
   return {position};
 }
 
-ListedSet& listed_set(Resolver& look, const std::string& name) {
+// The set of that name and kind, made if need be. Names do not mind capitals: all kinds are spelled as the first.
+ListedSet& listed_set(Resolver& look, const std::string& name, std::string_view kind) {
   auto& sets = look.model.mesh.sets;
-  const auto [found, added] = look.set_index.try_emplace(upper(name), sets.size());
-  if (added) sets.push_back({.name = name, .vertices = {}, .cells = {}, .faces = {}});
+  const auto spelled = look.spelling.try_emplace(upper(name), name).first->second;
+  const auto [found, added] = look.set_index.try_emplace(of_kind(kind, upper(name)), sets.size());
+  if (added) sets.push_back({.name = spelled, .vertices = {}, .cells = {}, .faces = {}, .kind = kind});
   return sets[found->second];
 }
 
@@ -87,7 +91,7 @@ void add_surface_cell(const Resolver& look, const InpSurfaceEntry& entry, Index 
 
 void resolve_surface(Resolver& look, const InpSurface& surface) {
   auto& model = look.model;
-  auto& set = listed_set(look, surface.name);
+  auto& set = listed_set(look, surface.name, "surface");
   for (const auto& entry : surface.entries) {
     if (surface.type == InpSurfaceType::node) {
       append(set.vertices, target(look, entry.target, entry.place, model.node_sets, look.ids.vertices, vertices_of));
@@ -224,10 +228,13 @@ void note_idle_words(InpModel& model) {
 }  // namespace
 
 FileMesh resolve_inp(const Sources& sources, InpModel model) {
-  Resolver look{.sources = sources, .model = model, .ids = numbering(sources, model.mesh), .set_index = {}};
-  // Element sets first: a union is spelled like the region it may be.
-  for (const auto& set : model.element_sets.sets) append(listed_set(look, set.name).cells, cells_of(look, set));
-  for (const auto& set : model.node_sets.sets) append(listed_set(look, set.name).vertices, vertices_of(look, set));
+  Resolver look{
+      .sources = sources, .model = model, .ids = numbering(sources, model.mesh), .set_index = {}, .spelling = {}};
+  // Element sets first: a name is spelled like the region that it may be.
+  for (const auto& set : model.element_sets.sets)
+    append(listed_set(look, set.name, "elset").cells, cells_of(look, set));
+  for (const auto& set : model.node_sets.sets)
+    append(listed_set(look, set.name, "nset").vertices, vertices_of(look, set));
   for (const auto& surface : model.surfaces) resolve_surface(look, surface);
   if (model.sections.empty()) regions_from_sets(look);
   else resolve_sections(look);

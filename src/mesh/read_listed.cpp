@@ -38,9 +38,17 @@ void check_solids(const Sources& sources, const ListedMesh& mesh) {
   }
 }
 
+// A name that no region has, for the cells without one.
+std::string stray_name(const std::vector<Region>& regions) {
+  std::string name = "default";
+  const auto taken = [&](const Region& region) { return region.name == name; };
+  while (std::any_of(regions.begin(), regions.end(), taken)) name += '_';
+  return name;
+}
+
+// A region without solid cells is left out.
 void take_solids(const ListedMesh& from, FileMesh& to) {
-  bool strays = false;
-  const auto stray_region = static_cast<std::int32_t>(from.regions.size());
+  std::vector<std::int32_t> numbers(from.regions.size() + 1, -1);  // the last: cells without a region
   for (std::size_t c = 0; c < from.shapes.size(); ++c) {
     const auto type = traits(from.shapes[c]).cell;
     if (!type) continue;
@@ -50,11 +58,15 @@ void take_solids(const ListedMesh& from, FileMesh& to) {
     to.cell_vertices.insert(to.cell_vertices.end(), vertices.begin(), vertices.end());
     to.cell_offsets.push_back(static_cast<Index>(to.cell_vertices.size()));
     const bool stray = from.cell_regions[c] < 0;
-    to.cell_regions.push_back(stray ? stray_region : from.cell_regions[c]);
-    strays = strays || stray;
+    to.cell_regions.push_back(stray ? static_cast<std::int32_t>(from.regions.size()) : from.cell_regions[c]);
+    numbers[static_cast<std::size_t>(to.cell_regions.back())] = 0;
   }
-  to.regions = from.regions;
-  if (strays) to.regions.push_back({.name = "default", .material = {}});
+  for (std::size_t r = 0; r < numbers.size(); ++r) {
+    if (numbers[r] < 0) continue;
+    numbers[r] = static_cast<std::int32_t>(to.regions.size());
+    to.regions.push_back(r < from.regions.size() ? from.regions[r] : Region{.name = stray_name(to.regions)});
+  }
+  for (auto& region : to.cell_regions) region = numbers[static_cast<std::size_t>(region)];
 }
 
 }  // namespace
@@ -91,6 +103,7 @@ Numbering numbering(const Sources& sources, const ListedMesh& mesh) {
 FileMesh finish(const Sources& sources, ListedMesh mesh) {
   number_vertices(sources, numbering(sources, mesh).vertices, mesh);
   check_solids(sources, mesh);
+  tell_kinds_apart(sources, mesh);
   FileMesh result;
   take_solids(mesh, result);
   result.sets = gather_sets(mesh);

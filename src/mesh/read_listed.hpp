@@ -45,6 +45,7 @@ struct ListedSet {
   std::vector<Index> vertices;
   std::vector<Index> cells;
   std::vector<ListedFace> faces;
+  std::string_view kind = {};  ///< one of base/set_name.hpp, where the format has sets of several kinds
 };
 
 /// Cells name their vertices by the file's own numbers; sets and supports hold positions.

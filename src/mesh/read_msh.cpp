@@ -86,6 +86,7 @@ void read_section(const Sources& sources, MshFile& msh, Version version, const S
 FileMesh read_msh(Sources& sources, unsigned file, const Ignored& ignored) {
   MshFile msh{.input = {.cursor = Cursor(sources, file)}, .mesh = {}, .groups = {}, .entities = {}};
   auto& cursor = msh.input.cursor;
+  msh.memberships_left = cursor.remaining();
   std::optional<Version> version;
   while (const auto section = next_section(cursor)) {
     if (section->name == "MeshFormat") {

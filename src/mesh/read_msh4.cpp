@@ -117,6 +117,9 @@ Index read_element_block(MshFile& msh) {
     reorder_from_msh(shape, vertices);
     add_cell(msh.mesh, shape, id, vertices, place);
     if (physical == msh.entities.end()) continue;
+    if (physical->second.size() > msh.memberships_left)
+      input.fail("the cells are in more physical groups than a file of this size can need");
+    msh.memberships_left -= physical->second.size();
     for (const Index tag : physical->second) join_physical(msh.groups, msh.mesh, tag);
   }
   return count;

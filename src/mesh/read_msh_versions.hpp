@@ -12,6 +12,8 @@ struct MshFile {
   ListedMesh mesh;
   Groups groups;
   std::map<Groups::Key, std::vector<Index>> entities;  ///< 4.1: (dimension, entity) -> physical tags
+  /// 4.1: how many cells of groups may follow. An entity in very many groups would have few bytes and much memory.
+  std::size_t memberships_left = 0;
 };
 
 /// $Nodes and, with where each vertex lies on the geometry, $ParametricNodes.

@@ -1,7 +1,12 @@
 #include "ritz/mesh/read_sets.hpp"
 
 #include <algorithm>
+#include <map>
+#include <optional>
 #include <set>
+
+#include "ritz/base/counted.hpp"
+#include "ritz/base/set_name.hpp"
 
 namespace ritz::mesh {
 namespace {
@@ -52,7 +57,45 @@ std::vector<FaceCell> faces_of(const ListedMesh& mesh, const ListedSet& set) {
   return faces;
 }
 
+bool is_empty(const ListedSet& set) { return set.vertices.empty() && set.cells.empty() && set.faces.empty(); }
+
+// "'FIX' names several sets: 'nset:FIX' or 'elset:FIX'; ...". `shared` is not empty.
+std::string shared_note(const std::vector<std::string>& names, const std::vector<std::string>& shared) {
+  const auto& name = shared.front();
+  std::vector<std::string> kinds;
+  for (const auto kind : set_kinds)
+    if (std::find(names.begin(), names.end(), of_kind(kind, name)) != names.end()) kinds.push_back(of_kind(kind, name));
+  const auto meaning = [&](SetUse use) {
+    const auto meant = meant_sets(names, name, use);
+    return meant.size() == 1 ? "means '" + meant[0] + "'" : std::string("is not clear");
+  };
+  const auto others = std::ssize(shared) - 1;
+  return "'" + name + "' names several sets, " + listed_names(kinds) + "; the name alone " + meaning(SetUse::vertices) +
+         " to supports, forces and probes, and " + meaning(SetUse::surface) + " to pressure and traction" +
+         (others > 0 ? " (and so on for " + counted(others, "other name", "other names") + ")" : "");
+}
+
 }  // namespace
+
+void tell_kinds_apart(const Sources& sources, ListedMesh& mesh) {
+  std::map<std::string, std::set<std::string_view>> kinds;
+  for (const auto& set : mesh.sets)
+    if (!is_empty(set)) kinds[set.name].insert(set.kind);
+  std::vector<std::string> names, shared;
+  for (auto& set : mesh.sets) {
+    if (is_empty(set)) continue;
+    if (kinds[set.name].size() > 1) {
+      if (std::find(shared.begin(), shared.end(), set.name) == shared.end()) shared.push_back(set.name);
+      set.name = of_kind(set.kind, set.name);
+    }
+    names.push_back(set.name);
+  }
+  auto sorted = names;
+  std::sort(sorted.begin(), sorted.end());
+  if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end())
+    fail(sources, "the set '" + *twice + "' has the name by which another is told apart; rename it");
+  if (!shared.empty()) mesh.notes.push_back(sources.front().path.string() + ": " + shared_note(names, shared));
+}
 
 std::vector<NamedSet> gather_sets(const ListedMesh& mesh) {
   std::vector<NamedSet> sets;

@@ -179,12 +179,9 @@ void read_vertex_sets(const VtuFile& vtu, const pugi::xml_node& piece, const Pie
 }
 
 void add_vertex_sets(VtuMesh& from) {
-  auto& sets = from.mesh.sets;
-  for (auto& [name, vertices] : from.vertex_sets) {
-    const auto same = std::ranges::find(sets, name, &ListedSet::name);
-    if (same != sets.end()) same->vertices = std::move(vertices);
-    else sets.push_back({.name = name, .vertices = std::move(vertices), .cells = {}, .faces = {}});
-  }
+  for (auto& [name, vertices] : from.vertex_sets)
+    from.mesh.sets.push_back(
+        {.name = name, .vertices = std::move(vertices), .cells = {}, .faces = {}, .kind = "points"});
 }
 
 }  // namespace

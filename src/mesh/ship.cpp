@@ -138,7 +138,8 @@ void broadcast_shared(MPI_Comm comm, Shared& shared) {
   parallel::broadcast(comm, shared.set_names);
   parallel::broadcast(comm, shared.notes);
 
-  std::vector<std::string> names, unread_laws, unread_densities;
+  std::vector<std::string> names, unread_laws, unread_densities, parts;
+  std::vector<std::int64_t> overlaps;  // two a region: how its parts overlap, and how many there are
   std::vector<double> materials, points;
   std::vector<std::int64_t> joints;
   for (const auto& region : shared.regions) {
@@ -147,6 +148,8 @@ void broadcast_shared(MPI_Comm comm, Shared& shared) {
       materials.insert(materials.end(), {constant ? 1.0 : 0.0, constant.value_or(0)});
     unread_laws.push_back(region.material.unread_law);
     unread_densities.push_back(region.material.unread_density);
+    parts.insert(parts.end(), region.parts.begin(), region.parts.end());
+    overlaps.insert(overlaps.end(), {static_cast<std::int64_t>(region.overlap), std::ssize(region.parts)});
   }
   Packer packer;
   for (const auto& joint : shared.joints) {
@@ -156,17 +159,25 @@ void broadcast_shared(MPI_Comm comm, Shared& shared) {
   parallel::broadcast(comm, names);
   parallel::broadcast(comm, unread_laws);
   parallel::broadcast(comm, unread_densities);
+  parallel::broadcast(comm, parts);
+  parallel::broadcast(comm, overlaps);
   parallel::broadcast(comm, materials);
   parallel::broadcast(comm, points);
   parallel::broadcast(comm, packer.words);
   if (parallel::rank(comm) == 0) return;
 
+  auto part = parts.begin();
   for (std::size_t r = 0; r < names.size(); ++r) {
     const auto constant = [&](std::size_t i) {
       const double* m = &materials[6 * r + 2 * i];
       return m[0] > 0 ? std::optional(m[1]) : std::nullopt;
     };
-    shared.regions.push_back({names[r], {constant(0), constant(1), constant(2), unread_laws[r], unread_densities[r]}});
+    const auto end = part + overlaps[2 * r + 1];
+    shared.regions.push_back({names[r],
+                              {constant(0), constant(1), constant(2), unread_laws[r], unread_densities[r]},
+                              {part, end},
+                              static_cast<Overlap>(overlaps[2 * r])});
+    part = end;
   }
   Unpacker unpacker{packer.words};
   for (std::size_t j = 0; 3 * j < points.size(); ++j) {

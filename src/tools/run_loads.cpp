@@ -4,6 +4,7 @@
 
 #include "ritz/base/error.hpp"
 #include "ritz/base/nearest.hpp"
+#include "ritz/base/set_name.hpp"
 #include "ritz/runtime/reconstruction.hpp"
 #include "run_body.hpp"
 
@@ -12,23 +13,24 @@ namespace {
 
 Eigen::Vector3d vector(const scene::Vector3& v) { return {v[0], v[1], v[2]}; }
 
-const model::SetLoad& find_set(const model::Body& body, const std::string& name) {
+const model::SetLoad& meant_set(const model::Body& body, const std::string& name, SetUse use) {
   std::vector<std::string> known;
-  for (const auto& load : body.loads) {
-    if (load.set == name) return load;
-    known.push_back(load.set);
-  }
-  throw InputError("the model has no set '" + name + "'" +
-                   (known.empty() ? "; it has no named sets" : "; did you mean '" + nearest(name, known) + "'?"));
+  for (const auto& load : body.loads) known.push_back(load.set);
+  for (const auto& set : body.geometry.sets)  // also those that are empty, which have no loads
+    if (std::ranges::find(known, set.name) == known.end()) known.push_back(set.name);
+  const auto meant = resolve_set(known, name, use, "the model");
+  const auto load = std::ranges::find(body.loads, meant, &model::SetLoad::set);
+  if (load == body.loads.end()) throw InputError("the scene names the set '" + meant + "', which is empty");
+  return *load;
 }
 
 const model::SetLoad& find_surface(const model::Body& body, const std::string& name, const std::string& what) {
-  const auto& found = find_set(body, name);
+  const auto& found = meant_set(body, name, SetUse::surface);
   if (found.has_surface) return found;
   std::vector<std::string> surfaces;
   for (const auto& load : body.loads)
     if (load.has_surface) surfaces.push_back(load.set);
-  throw InputError(what + " needs a surface, and the set '" + name + "' has none" +
+  throw InputError(what + " needs a surface, and the set '" + found.set + "' has none" +
                    (surfaces.empty() ? "; no set of the model has one"
                                      : "; the nearest set with one is '" + nearest(name, surfaces) + "'"));
 }
@@ -56,7 +58,7 @@ struct UnitForce {
 
 UnitForce unit_force(const model::Body& body, const scene::Target& target) {
   if (const auto* name = std::get_if<std::string>(&target)) {
-    const auto& set = find_set(body, *name);
+    const auto& set = meant_set(body, *name, SetUse::vertices);
     return {set.total, static_cast<double>(set.vertices)};
   }
   const std::int64_t row = find_vertex(body, std::get<std::int64_t>(target));

@@ -51,6 +51,39 @@ TEST(Materials, OfTheFileStandWhereNoOptionSpeaks) {
   EXPECT_EQ(all[1].poisson, .4);
 }
 
+// 'core' lies in 'rubber', which lies in 'all'.
+const std::vector<mesh::Region> nested = {{"all", {}}, {"rubber", {}, {"all"}}, {"core", {}, {"rubber", "all"}}};
+
+TEST(Materials, OfASmallerVolumeWinOverThoseItLiesIn) {
+  const auto m =
+      region_materials(with_box(with(general, {"-material_all_young", "2e11", "-material_rubber_young", "1e7",
+                                               "-material_all_density", "7800", "-material_core_density", "900"})),
+                       nested);
+  EXPECT_EQ(m[0].young, 2e11);
+  EXPECT_EQ(m[1].young, 1e7);
+  EXPECT_EQ(m[2].young, 1e7);
+  EXPECT_EQ(m[0].density, 7800);
+  EXPECT_EQ(m[1].density, 7800);
+  EXPECT_EQ(m[2].density, 900);
+  for (const auto& material : m) EXPECT_EQ(material.poisson, .45);
+}
+
+TEST(Materials, OfVolumesThatCrossMustAgree) {
+  const std::vector<mesh::Region> crossing = {{"a", {}}, {"b", {}}, {"a & b", {}, {"a", "b"}, mesh::Overlap::crossing}};
+  const auto of = [&](const std::vector<std::string>& more) {
+    return region_materials(with_box(with(general, more)), crossing)[2].young;
+  };
+  EXPECT_EQ(of({}), 1e6);
+  EXPECT_EQ(of({"-material_b_young", "3e6"}), 3e6);
+  EXPECT_EQ(of({"-material_a_young", "3e6", "-material_b_young", "3e6"}), 3e6);
+  EXPECT_EQ(of({"-material_a_young", "2e6", "-material_b_young", "3e6", "-material_a_&_b_young", "4e6"}), 4e6);
+  EXPECT_THAT(
+      [&] {
+        of({"-material_a_young", "2e6", "-material_b_young", "3e6"});
+      },
+      ThrowsMessage<InputError>(AllOf(HasSubstr("'a' or 'b'"), HasSubstr("-material_a_&_b_young"))));
+}
+
 TEST(Materials, OfAFileAndOfOptionsCompleteEachOther) {
   const std::vector<mesh::Region> partly = {{"steel", {.young = 2e11, .poisson = .3}}};
   const auto all = region_materials(with_box({"-material_density", "7800"}), partly);

@@ -66,6 +66,33 @@ TEST(Fix, NamesVegaLists) {
   EXPECT_EQ(supports.vertex_lists, (std::vector<std::filesystem::path>{"a/b.bou"}));
 }
 
+TEST(Fix, KeepsBothReadingsOfAnEndLikeComponents) {
+  const auto fixed = parse_supports("side:x,nset:foot,foot:xw", {}).fixed;
+  ASSERT_EQ(fixed.size(), 3u);
+  EXPECT_EQ(name(fixed[0]), "side");
+  EXPECT_EQ(fixed[0].fixed, (Mask{true, false, false}));
+  EXPECT_EQ(fixed[0].whole_name, "side:x");
+  EXPECT_EQ(name(fixed[1]), "nset:foot");
+  EXPECT_EQ(name(fixed[2]), "foot:xw");  // no components: a name, if the mesh has it
+  EXPECT_EQ(fixed[2].fixed, whole);
+  EXPECT_FALSE(fixed[1].whole_name || fixed[2].whole_name);
+}
+
+TEST(Fix, TakesNamesInQuotesAsTheyAre) {
+  const auto supports = parse_supports(R"("side:x":yz,"a, b",foot,"none","box:1":z)", {});
+  const auto& fixed = supports.fixed;
+  ASSERT_EQ(fixed.size(), 5u);
+  EXPECT_EQ(name(fixed[0]), "side:x");
+  EXPECT_EQ(fixed[0].fixed, (Mask{false, true, true}));
+  EXPECT_EQ(name(fixed[1]), "a, b");
+  EXPECT_EQ(fixed[1].fixed, whole);
+  EXPECT_EQ(name(fixed[2]), "foot");
+  EXPECT_EQ(name(fixed[3]), "none");
+  EXPECT_EQ(name(fixed[4]), "box:1");
+  EXPECT_EQ(fixed[4].fixed, (Mask{false, false, true}));
+  for (const auto& one : fixed) EXPECT_FALSE(one.whole_name);
+}
+
 TEST(Fix, MayHoldNothing) {
   const auto supports = parse_supports("none", {});
   EXPECT_TRUE(supports.fixed.empty());
@@ -73,7 +100,7 @@ TEST(Fix, MayHoldNothing) {
 }
 
 TEST(Fix, SaysWhatIsWrong) {
-  for (const auto& [text, why] : std::vector<std::pair<std::string, std::string>>{{"foot:xw", "'xw'"},
+  for (const auto& [text, why] : std::vector<std::pair<std::string, std::string>>{{"\"foot", "not closed"},
                                                                                   {"foot,,top", "empty"},
                                                                                   {",", "empty"},
                                                                                   {"none,foot", "'none'"},
@@ -83,7 +110,10 @@ TEST(Fix, SaysWhatIsWrong) {
                                                                                   {"box:1,0,0,1,0,1", "inside out"},
                                                                                   {"box:0,1,0,1,0,1:w", "'w'"},
                                                                                   {"box:,,,,,", "not a number"},
-                                                                                  {":xyz", "empty"}})
+                                                                                  {":xyz", "empty"},
+                                                                                  {"\"\"", "empty"},
+                                                                                  {"\"a\"b", "follows a name"},
+                                                                                  {"\"a\":w", "follows a name"}})
     EXPECT_THAT([&] { parse_supports(text, {}); },
                 ThrowsMessage<InputError>(AllOf(HasSubstr("-fix " + text), HasSubstr(why))))
         << text;

@@ -68,6 +68,48 @@ TEST_F(DofsOfABox, LackTheVerticesOfASet) {
   EXPECT_NE(dofs.checksum, checksum_alone({set("xmax")}));
 }
 
+Fixed word(const std::string& name, std::array<bool, 3> which, const std::string& whole) {
+  return {name, which, whole, whole};
+}
+
+TEST_F(DofsOfABox, LackASetWhoseNameEndsLikeComponents) {
+  mesh.sets[0].name = "side:x";  // xmin
+  const auto whole = number(mesh, {word("side", {true, false, false}, "side:x")});
+  EXPECT_EQ(whole.total, all - 3 * 6);
+  const auto named = number(mesh, {set("side:x", {false, true, false})});
+  EXPECT_EQ(named.total, all - 6);
+  mesh.sets[1].name = "side";
+  EXPECT_THAT(
+      [&] {
+        number(mesh, {word("side", {true, false, false}, "side:x")});
+      },
+      ThrowsMessage<InputError>(
+          AllOf(HasSubstr("a set 'side' and a set 'side:x'"), HasSubstr("'\"side\":x'"), HasSubstr("'\"side:x\"'"))));
+  EXPECT_EQ(number(mesh, {set("side", {true, false, false})}).total, all - 6);
+}
+
+TEST_F(DofsOfABox, LackTheNodeSetOfSeveralSetsOfOneName) {
+  mesh.sets[0].name = "nset:FIX";
+  mesh.sets[2].name = "elset:FIX";  // ymin
+  EXPECT_EQ(number(mesh, {set("FIX")}).total, all - 3 * 6);
+  EXPECT_EQ(number(mesh, {set("elset:FIX")}).total, all - 3 * 8);
+  mesh.sets[0].name = "surface:FIX";
+  EXPECT_THAT(
+      [&] { number(mesh, {set("FIX")}); },
+      ThrowsMessage<InputError>(AllOf(HasSubstr("several sets 'FIX'"), HasSubstr("'elset:FIX' or 'surface:FIX'"))));
+}
+
+TEST_F(DofsOfABox, NeverSuggestWhatWasAsked) {
+  mesh.sets[0].name = "a,b";
+  EXPECT_THAT(
+      [&] {
+        number(mesh, {{"a", {true, true, true}, "a,b"}});
+      },
+      ThrowsMessage<InputError>(HasSubstr("did you mean '\"a,b\"'?")));
+  EXPECT_THAT([&] { number(mesh, {set("ymni:up")}); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("'up' are no components"), HasSubstr("did you mean 'ymin'?"))));
+}
+
 TEST_F(DofsOfABox, LackComponents) {
   const std::vector<Fixed> supports = {set("xmin", {true, false, false}), set("zmin", {false, false, true})};
   const Dofs dofs = number(mesh, supports);

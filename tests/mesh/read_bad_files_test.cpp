@@ -69,7 +69,7 @@ TEST(BadMsh, Version22) {
                  {"5 4 2 1 1 10", "5 999 2 1 1 10", ":25", "999"},
                  {"6 4 3 2", "5 4 3 2", ":26", "cell 5 is listed twice"},
                  {"$EndElements", "$EndNodes", ":27", "$EndElements"},
-                 {"$Elements\n4", "$Else\n4", ":21", "$Else"}});
+                 {"$Elements\n4", "$Else\n4", ":21", "$Else is not a section that ritz knows; '-ignore ELSE'"}});
 }
 
 TEST(BadMsh, Version41) {
@@ -122,8 +122,10 @@ TEST(BadVeg, Files) {
                  {"2 2 3 4 5", "2 2 3 4 6", ":14", "vertex 6"},
                  {"2 2 3 4 5", "2 2 3 4 4", ":14", "twice"},
                  {"2 2 3 4 5", "2 2 3 4", ":14", "vertex number"},
-                 {"ENU, 7800", "MOONEYRIVLIN, 7800", ":16", "MOONEYRIVLIN"},
-                 {"ENU, 7800", "ORTHOTROPIC, 7800", ":16", "ORTHOTROPIC"},
+                 {"ENU, 7800", "MOONEYRIVLIN, x", ":16", "'x'"},
+                 {"ENU, 7800", "ORTHOTROPIC, -7800", ":16", "density"},
+                 {"ENU, 7800, 2e11, 0.3", "ENU", ":16", "a law, a comma"},
+                 {"ENU, 7800", "ENU, 7800, 7800", ":16", "Poisson"},
                  {"0.3", "0.5", ":16", "Poisson"},
                  {"2e11", "-2e11", ":16", "Young"},
                  {"7800", "0", ":16", "density"},
@@ -132,7 +134,7 @@ TEST(BadVeg, Files) {
                  {"lower, steel", "lower, wood", ":24", "'wood'"},
                  {"lower, steel", "nowhere, steel", ":24", "'nowhere'"},
                  {"lower, steel", "lower", ":24", "comma"},
-                 {"*REGION", "*REGAIN", ":23", "*REGAIN"},
+                 {"*REGION", "*REGAIN", ":23", "'-ignore REGAIN' leaves it out"},
                  {"*VERTICES", "*INCLUDE absent.veg\n*VERTICES", ":2", "absent.veg"},
                  {"*VERTICES", "*INCLUDE a.veg\n*VERTICES", ":2", "includes itself"}});
 }
@@ -182,9 +184,9 @@ TEST(BadVtu, Files) {
   expect_errors(
       "a.vtu", vtu_text(),
       {{"UnstructuredGrid\" v", "PolyData\" v", ":2", "PolyData"},
-       {"LittleEndian", "BigEndian", ":2", "BigEndian"},
+       {"LittleEndian", "MiddleEndian", ":2", "MiddleEndian"},
        {"\"UInt32\"", "\"UInt16\"", ":2", "UInt16"},
-       {"header_type", "compressor=\"vtkLZ4DataCompressor\" header_type", ":2", "LZ4"},
+       {"header_type", "compressor=\"vtkZstdDataCompressor\" header_type", ":2", "Zstd"},
        {"</Points>", "", ":27", "XML"},
        {"NumberOfPoints=\"5\"", "NumberOfPoints=\"6\"", ":13", "15 numbers instead of 18"},
        {"NumberOfPoints=\"5\"", "NumberOfPoints=\"-5\"", ":4", "NumberOfPoints"},
@@ -202,6 +204,10 @@ TEST(BadVtu, Files) {
        {"3 7 11", "3 7 -11", ":24", "negative"},
        {"3 7 11", "3 900 11", ":24", "cell 1"},
        {"5 10 10", "5 10 13", ":25", "type 13"},
+       {"5 10 10", "5 10 25", ":25", "type 25"},
+       {"5 10 10", "5 10 73", ":25", "a Lagrange cell (VTK type 73) with 4 vertices"},
+       {"5 10 10", "5 10 72", ":25", "a Lagrange cell (VTK type 72) with 4 vertices"},
+       {"5 10 10", "5 10 11", ":24", "cell 2"},
        {"5 10 10", "5 5 5", ":24", "cell 1"},
        {"\"offsets\"", "\"offset\"", ":18", "offsets"},
        {"type=\"Int64\" Name=\"conn", "type=\"Float64\" Name=\"conn", ":19", "integer"},
@@ -210,12 +216,18 @@ TEST(BadVtu, Files) {
 }
 
 TEST(BadVtu, BinaryData) {
-  for (const auto packing : {VtuPacking::plain, VtuPacking::zlib}) {
+  for (const auto packing : {VtuPacking::plain, VtuPacking::zlib, VtuPacking::lz4, VtuPacking::lzma}) {
     const auto good = vtu_binary(VtuForm::appended_base64, packing, 4);
     EXPECT_NE(error_of("a.vtu", with(good, "NumberOfPoints=\"5\"", "NumberOfPoints=\"6\"")).find("a.vtu:"),
               std::string::npos);
     EXPECT_NE(error_of("a.vtu", with(good, "offset=\"0\"", "offset=\"99999\"")).find("beyond"), std::string::npos);
     EXPECT_NE(error_of("a.vtu", with(good, " _", " ")).find("a.vtu:"), std::string::npos);
+  }
+  for (const auto packing : {VtuPacking::zlib, VtuPacking::lz4, VtuPacking::lzma}) {
+    const auto good = vtu_binary(VtuForm::appended_raw, packing, 4);
+    auto damaged = good;
+    damaged[good.find(" _") + 2 + 16 + 8] ^= 0x55;  // in the first block, behind its header
+    EXPECT_NE(error_of("a.vtu", damaged).find("a.vtu:"), std::string::npos);
   }
   const auto huge = with(vtu_binary(VtuForm::appended_raw, VtuPacking::plain, 8), std::string(" _\5\0\0\0\0\0\0\0", 10),
                          std::string(" _\5\0\0\0\0\0\0\x7f", 10));

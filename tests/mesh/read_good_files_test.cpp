@@ -77,13 +77,6 @@ TEST(ReadMsh, PutsCellsWithoutAGroupIntoADefaultRegion) {
   EXPECT_EQ(cell_region_names(mesh), (std::vector<std::string>{"default", "the upper one"}));
 }
 
-TEST(ReadMsh, LetsSolidsGiveWayToAFaceGroupOfTheSameName) {
-  auto text = with(msh22_text(), "2 7 \"bottom\"\n3 1 \"lower\"\n", "2 7 \"same\"\n3 1 \"same\"\n");
-  const auto mesh = read_text("a.msh", text);
-  EXPECT_EQ(cell_region_names(mesh)[0], "same");
-  EXPECT_EQ(find_set(mesh, "same")->vertices, (std::vector<Index>{0, 1, 2}));
-}
-
 TEST(ReadMsh, ReadsParametricNodesOfVersion22) {
   auto text = with(msh22_text(), "$Nodes\n5\n10 0 0 0\n7 1 0 0\n30 0 1.0 0\n4000 0 0 1e0\n50 +1 1 1\n$EndNodes",
                    "$ParametricNodes\n5\n10 0 0 0 0 1\n7 1 0 0 1 1 0.5\n30 0 1 0 2 1 0.5 0.75\n4000 0 0 1 3 1\n"
@@ -96,12 +89,6 @@ TEST(ReadMsh, ReadsGroupsOfAPartitionedMesh) {
                    "$PartitionedEntities\n2\n1\n9 1\n0 0 0 1\n"
                    "5 3 1 2 1 2 0 0 0 1 1 1 1 1 1 -1\n$EndPartitionedEntities\n$Nodes\n");
   text = with(text, "3 1 4 1\n5 10", "3 5 4 1\n5 10");
-  expect_two_tets(read_text("a.msh", text), "lower", "the upper one", "bottom");
-}
-
-TEST(ReadMsh, SkipsUnknownSectionsInBinaryFilesToo) {
-  const auto text =
-      with(msh41_binary(), "$Nodes\n", std::string("$NodeData\n\0\1\n$Nodes\n\n$EndNodeData\n$Nodes\n", 41));
   expect_two_tets(read_text("a.msh", text), "lower", "the upper one", "bottom");
 }
 
@@ -178,9 +165,9 @@ TEST(ReadInp, ReadsMaterialsSetsAndSupports) {
 
 std::string inp_with(const std::string& more) { return with(inp_text(), "*STEP\n", more + "*STEP\n"); }
 
-TEST(ReadInp, UnitesSetsOfOneName) {
+TEST(ReadInp, UnitesSetsOfOneNameAndKind) {
   const auto mesh =
-      read_text("a.inp", inp_with("*NSET, NSET=UPPER\n10\n*ELSET, ELSET=nested\nlower\n2\n"
+      read_text("a.inp", inp_with("*ELSET, ELSET=UPPER\n5\n*ELSET, ELSET=nested\nlower\n2\n"
                                   "*NSET, NSET=of_cells, ELSET=Lower\n*NSET, NSET=twice\nfeet, 50, twice\n"));
   EXPECT_EQ(find_set(mesh, "upper")->vertices, (std::vector<Index>{0, 1, 2, 3, 4}));
   EXPECT_EQ(find_set(mesh, "nested")->vertices, (std::vector<Index>{0, 1, 2, 3}));

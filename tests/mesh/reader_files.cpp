@@ -1,6 +1,9 @@
 // The two tetrahedra as files. Gmsh's and Abaqus's numbers are sparse and out of order.
+#include <lz4.h>
+#include <lzma.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <tuple>
 
 #include "mesh/reader_fixture.hpp"
@@ -27,13 +30,33 @@ std::string base64(const std::string& bytes) {
   return result;
 }
 
-std::string header(const std::vector<std::uint64_t>& numbers, int size) {
-  Bytes bytes;
+std::string header(const std::vector<std::uint64_t>& numbers, int size, VtuFirst first) {
+  std::string bytes;
   for (const auto number : numbers) {
-    if (size == 8) bytes.add(number);
-    else bytes.add(static_cast<std::uint32_t>(number));
+    for (int i = 0; i < size; ++i) {
+      const int byte = first == VtuFirst::low_byte ? i : size - 1 - i;
+      bytes += static_cast<char>(number >> (8 * byte) & 0xff);
+    }
   }
-  return bytes.str();
+  return bytes;
+}
+
+std::string packed(const std::string& part, VtuPacking packing) {
+  std::string bytes(2 * part.size() + 256, '\0');
+  const auto* const from = reinterpret_cast<const unsigned char*>(part.data());
+  auto* const to = reinterpret_cast<unsigned char*>(bytes.data());
+  std::size_t length = 0;
+  if (packing == VtuPacking::zlib) {
+    uLongf room = bytes.size();
+    compress(to, &room, from, part.size());
+    length = room;
+  } else if (packing == VtuPacking::lz4) {
+    length = static_cast<std::size_t>(
+        LZ4_compress_default(part.data(), bytes.data(), static_cast<int>(part.size()), static_cast<int>(bytes.size())));
+  } else {
+    lzma_easy_buffer_encode(6, LZMA_CHECK_CRC32, nullptr, from, part.size(), to, &length, bytes.size());
+  }
+  return bytes.substr(0, length);
 }
 
 /// Header and data of one array, as VTK writes them; in blocks of 64 bytes when packed.
@@ -42,21 +65,17 @@ struct Block {
   std::string data;
 };
 
-Block block_of(const std::string& bytes, VtuPacking packing, int header_size) {
-  if (packing == VtuPacking::plain) return {.head = header({bytes.size()}, header_size), .data = bytes};
+Block block_of(const std::string& bytes, VtuPacking packing, int header_size, VtuFirst first) {
+  if (packing == VtuPacking::plain) return {.head = header({bytes.size()}, header_size, first), .data = bytes};
   constexpr std::size_t size = 64;
   std::vector<std::uint64_t> numbers = {(bytes.size() + size - 1) / size, size, bytes.size() % size};
   std::string data;
   for (std::size_t i = 0; i < bytes.size(); i += size) {
-    const auto part = bytes.substr(i, size);
-    std::string packed(compressBound(part.size()), '\0');
-    uLongf length = packed.size();
-    compress(reinterpret_cast<Bytef*>(packed.data()), &length, reinterpret_cast<const Bytef*>(part.data()),
-             part.size());
-    data += packed.substr(0, length);
-    numbers.push_back(length);
+    const auto part = packed(bytes.substr(i, size), packing);
+    data += part;
+    numbers.push_back(part.size());
   }
-  return {.head = header(numbers, header_size), .data = data};
+  return {.head = header(numbers, header_size, first), .data = data};
 }
 
 template <class T>
@@ -69,7 +88,24 @@ std::string numbers(std::initializer_list<T> values) {
 struct VtuArray {
   std::string attributes;
   std::string bytes;
+  std::size_t size;  ///< of a number
 };
+
+std::string turned(std::string bytes, std::size_t size) {
+  for (auto at = bytes.begin(); at != bytes.end(); at += static_cast<std::ptrdiff_t>(size))
+    std::reverse(at, at + static_cast<std::ptrdiff_t>(size));
+  return bytes;
+}
+
+std::string compressor(VtuPacking packing) {
+  switch (packing) {
+    case VtuPacking::plain: return "";
+    case VtuPacking::zlib: return " compressor=\"vtkZLibDataCompressor\"";
+    case VtuPacking::lz4: return " compressor=\"vtkLZ4DataCompressor\"";
+    case VtuPacking::lzma: break;
+  }
+  return " compressor=\"vtkLZMADataCompressor\"";
+}
 
 }  // namespace
 
@@ -314,19 +350,20 @@ std::string vtu_text() {
 )";
 }
 
-std::string vtu_binary(VtuForm form, VtuPacking packing, int header_size) {
+std::string vtu_binary(VtuForm form, VtuPacking packing, int header_size, VtuFirst first) {
   const VtuArray points{R"(type="Float32" Name="Points" NumberOfComponents="3")",
-                        numbers<float>({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1})};
-  const VtuArray feet{R"(type="Int8" Name="feet")", numbers<std::int8_t>({1, 1, 1, 0, 0})};
-  const VtuArray region{R"(type="UInt16" Name="gmsh:physical")", numbers<std::uint16_t>({7, 1, 2})};
+                        numbers<float>({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1}), 4};
+  const VtuArray feet{R"(type="Int8" Name="feet")", numbers<std::int8_t>({1, 1, 1, 0, 0}), 1};
+  const VtuArray region{R"(type="UInt16" Name="gmsh:physical")", numbers<std::uint16_t>({7, 1, 2}), 2};
   const VtuArray vertices{R"(type="UInt64" Name="connectivity")",
-                          numbers<std::uint64_t>({0, 2, 1, 0, 1, 2, 3, 1, 2, 3, 4})};
-  const VtuArray offsets{R"(type="Int32" Name="offsets")", numbers<std::int32_t>({3, 7, 11})};
-  const VtuArray types{R"(type="UInt8" Name="types")", numbers<std::uint8_t>({5, 10, 10})};
+                          numbers<std::uint64_t>({0, 2, 1, 0, 1, 2, 3, 1, 2, 3, 4}), 8};
+  const VtuArray offsets{R"(type="Int32" Name="offsets")", numbers<std::int32_t>({3, 7, 11}), 4};
+  const VtuArray types{R"(type="UInt8" Name="types")", numbers<std::uint8_t>({5, 10, 10}), 1};
   std::string appended;
   const auto written = [&](const VtuArray& array) {
-    const auto [head, data] = block_of(array.bytes, packing, header_size);
-    const auto coded = packing == VtuPacking::zlib ? base64(head) + base64(data) : base64(head + data);
+    const auto bytes = first == VtuFirst::low_byte ? array.bytes : turned(array.bytes, array.size);
+    const auto [head, data] = block_of(bytes, packing, header_size, first);
+    const auto coded = packing != VtuPacking::plain ? base64(head) + base64(data) : base64(head + data);
     if (form == VtuForm::inline_base64) {
       return "<DataArray " + array.attributes + " format=\"binary\">\n  " + coded + "\n</DataArray>\n";
     }
@@ -334,9 +371,10 @@ std::string vtu_binary(VtuForm form, VtuPacking packing, int header_size) {
     appended += form == VtuForm::appended_raw ? head + data : coded;
     return "<DataArray " + array.attributes + " format=\"appended\" offset=\"" + offset + "\"/>\n";
   };
-  std::string text = "<VTKFile type=\"UnstructuredGrid\" byte_order=\"LittleEndian\" header_type=\"";
+  std::string text = "<VTKFile type=\"UnstructuredGrid\" byte_order=\"";
+  text += first == VtuFirst::low_byte ? "LittleEndian\" header_type=\"" : "BigEndian\" header_type=\"";
   text += header_size == 8 ? "UInt64\"" : "UInt32\"";
-  if (packing == VtuPacking::zlib) text += " compressor=\"vtkZLibDataCompressor\"";
+  text += compressor(packing);
   text += ">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"5\" NumberOfCells=\"3\">\n";
   for (const auto& [open, array, close] :
        {std::tuple{"<PointData>", feet, "</PointData>"}, std::tuple{"<CellData>", region, "</CellData>"},
@@ -360,11 +398,14 @@ std::vector<NamedFile> good_files() {
                                   {"veg", "a.veg", veg_text()},          {"inp", "a.inp", inp_text()},
                                   {"vtu text", "a.vtu", vtu_text()}};
   for (const auto form : {VtuForm::inline_base64, VtuForm::appended_base64, VtuForm::appended_raw}) {
-    for (const auto packing : {VtuPacking::plain, VtuPacking::zlib}) {
+    for (const auto packing : {VtuPacking::plain, VtuPacking::zlib, VtuPacking::lz4, VtuPacking::lzma}) {
       for (const int size : {4, 8}) {
-        const auto label = "vtu form " + std::to_string(static_cast<int>(form)) + " packing " +
-                           std::to_string(static_cast<int>(packing)) + " header " + std::to_string(size);
-        files.push_back({label, "a.vtu", vtu_binary(form, packing, size)});
+        for (const auto first : {VtuFirst::low_byte, VtuFirst::high_byte}) {
+          const auto label = "vtu form " + std::to_string(static_cast<int>(form)) + " packing " +
+                             std::to_string(static_cast<int>(packing)) + " header " + std::to_string(size) +
+                             " first byte " + std::to_string(static_cast<int>(first));
+          files.push_back({label, "a.vtu", vtu_binary(form, packing, size, first)});
+        }
       }
     }
   }

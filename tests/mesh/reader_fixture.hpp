@@ -77,9 +77,10 @@ std::string veg_text();
 std::string inp_text();
 std::string vtu_text();
 enum class VtuForm { inline_base64, appended_base64, appended_raw };
-enum class VtuPacking { plain, zlib };
+enum class VtuPacking { plain, zlib, lz4, lzma };
+enum class VtuFirst { low_byte, high_byte };  ///< of each number
 /// Header numbers of 4 or 8 bytes.
-std::string vtu_binary(VtuForm form, VtuPacking packing, int header_size);
+std::string vtu_binary(VtuForm form, VtuPacking packing, int header_size, VtuFirst first = VtuFirst::low_byte);
 
 /// One good file of every format and variant.
 std::vector<NamedFile> good_files();

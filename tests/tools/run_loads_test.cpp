@@ -118,7 +118,45 @@ TEST(ReducedLoads, RefuseWhatTheModelDoesNotHave) {
   body.geometry.rows = model::Rows::surface;
   expect_refusal(body, load(std::int64_t{11}, scene::TotalForce{}), "holds its surface alone");
   body.loads.clear();
+  expect_refusal(body, load("tip", scene::TotalForce{}), "the set 'tip', which is empty");
+  body.geometry.sets.clear();
   expect_refusal(body, load("tip", scene::TotalForce{}), "no set 'tip'; it has no named sets");
+}
+
+/// The sample model, its sets named so.
+model::Body with_sets(const std::string& tip, const std::string& end) {
+  auto body = test::sample_model().body;
+  for (auto& load : body.loads) load.set = load.set == "tip" ? tip : end;
+  body.geometry.sets = {{tip, {1}, 1}, {end, {0, 1}, 2}};
+  return body;
+}
+
+VectorXd force_on(const model::Body& body, const scene::Load& one) {
+  auto scene = still();
+  scene.loads = {one};
+  VectorXd force(2);
+  reduce_loads(scene, body).evaluate(scene, 0, force);
+  return force;
+}
+
+TEST(ReducedLoads, TakeTheKindOfSetThatTheLoadIsFor) {
+  const auto body = with_sets("nset:grip", "surface:grip");
+  const scene::TotalForce pull{{0, 0, 1}};
+  EXPECT_EQ(force_on(body, load("grip", pull)), force_of(load("tip", pull)));
+  EXPECT_EQ(force_on(body, load("grip", scene::Pressure{2})), force_of(load("end/of 50% cells", scene::Pressure{2})));
+  EXPECT_EQ(force_on(body, load("surface:grip", pull)), force_of(load("end/of 50% cells", pull)));
+  auto scene = still();
+  scene.probes = {{"p", "grip"}};
+  const auto of_grip = probe_matrix(scene, body);
+  scene.probes = {{"p", "tip"}};
+  EXPECT_EQ(of_grip, probe_matrix(scene, test::sample_model().body));
+}
+
+TEST(ReducedLoads, RefuseANameThatStaysAmbiguous) {
+  expect_refusal(with_sets("elset:grip", "surface:grip"), load("grip", scene::TotalForce{}),
+                 "several sets 'grip'; say which: 'elset:grip' or 'surface:grip'");
+  expect_refusal(with_sets("nset:grip", "elset:grip"), load("grip", scene::Pressure{1}),
+                 "several sets 'grip'; say which: 'nset:grip' or 'elset:grip'");
 }
 
 }  // namespace

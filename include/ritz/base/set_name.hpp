@@ -2,7 +2,6 @@
 #pragma once
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -55,22 +54,27 @@ inline std::vector<std::string> meant_sets(const std::vector<std::string>& names
   return meant;
 }
 
+/// How a name is written where it was asked for.
+using Written = std::string (*)(const std::string& name);
+inline std::string as_it_is(const std::string& name) { return name; }
+
 /// The name of the set that `asked` means for this use. Throws InputError, which begins with `where` (such as "option
 /// -fix FIX: the mesh"), when there is none, naming the nearest, or when several are left, listing them.
 inline std::string resolve_set(const std::vector<std::string>& names, const std::string& asked, SetUse use,
-                               const std::string& where) {
-  const auto meant = meant_sets(names, asked, use);
+                               const std::string& where, Written written = as_it_is) {
+  auto meant = meant_sets(names, asked, use);
   if (meant.size() == 1) return meant[0];
+  for (auto& name : meant) name = written(name);
   if (meant.size() > 1)
     throw InputError(where + " has several sets '" + asked + "'; say which: " + listed_names(meant));
   if (names.empty()) throw InputError(where + " has no set '" + asked + "'; it has no named sets");
   const auto colon = asked.find(':');
-  const bool kind_said = colon != asked.npos && std::find(set_kinds.begin(), set_kinds.end(),
-                                                          std::string_view(asked).substr(0, colon)) != set_kinds.end();
+  const auto kind = std::string_view(asked).substr(0, colon);
+  const bool kind_said = colon != asked.npos && std::find(set_kinds.begin(), set_kinds.end(), kind) != set_kinds.end();
   const auto plain = kind_said ? asked.substr(colon + 1) : asked;
   if (kind_said && std::find(names.begin(), names.end(), plain) != names.end())
-    throw InputError(where + " has one set of that name; write it '" + plain + "'");
-  throw InputError(where + " has no set '" + asked + "'; did you mean '" + nearest(asked, names) + "'?");
+    throw InputError(where + " has one set alone of that name; write '" + written(plain) + "'");
+  throw InputError(where + " has no set '" + asked + "'; did you mean '" + written(nearest(asked, names)) + "'?");
 }
 
 }  // namespace ritz
