@@ -65,17 +65,22 @@ std::optional<double> own_value(const std::map<std::string, const MaterialOption
     const auto found = options.find(name);
     return found != options.end() ? found->second->*constant : std::nullopt;
   };
-  auto value = stated(region.name);
+  const auto& parts = region.parts;
+  const bool shared = region.overlap == mesh::Overlap::crossing;
+  const bool own_name = std::find(parts.begin(), parts.end(), region.name) == parts.end();
+  std::optional<double> value;
+  if (own_name) value = stated(region.name);
   if (value) return value;
-  for (const auto& part : region.parts) {
+  for (const auto& part : parts) {
     const auto of_part = stated(part);
     if (!of_part) continue;
-    if (region.overlap == mesh::Overlap::nested) return of_part;
+    if (!shared) return of_part;
     if (value && *value != *of_part)
-      throw InputError("cells lie in several of the volumes " + listed_names(region.parts) +
-                       ", none of which is part of another, and -material_..._" + word +
-                       " differs between them; say what holds in region '" + region.name + "' with -material_" +
-                       underscored(region.name) + "_" + word);
+      throw InputError(
+          "cells lie in several volumes, " + listed_names(parts) +
+          ", none of which is a part of another, and options " + "-material_..._" + word +
+          " differ between them; give these the same value" +
+          (own_name ? ", or say with -material_" + underscored(region.name) + "_" + word + " what holds there" : ""));
     value = of_part;
   }
   return value;

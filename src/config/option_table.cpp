@@ -14,7 +14,10 @@ constexpr std::array entries = std::to_array<OptionEntry>({
      "the units of the mesh, its materials, -material_* and -fix box:, such as mm-t-s"},
     {"partitioner", "metis | ptscotch", "", "metis", "what cuts a mesh file into one part a rank"},
     {"fix", "SET[:xyz],... | FILE.bou | box:x0,x1,y0,y1,z0,z1[:xyz] | none", "", "the mesh file's own",
-     "what is held, and which components"},
+     "what is held, and which components; a SET with ',' in its name, or one that ends like ':x', stands in double "
+     "quotes "
+     "(in a shell and in an options file: -fix '\"side:x\":yz'), and nset:SET, elset:SET or surface:SET say which of "
+     "several sets of one name"},
     {"ignore", "WORD,...", "", "none",
      "keywords and element types of the mesh file that change the physics, that ritz cannot do, and that are left out "
      "on your word, such as TIE,EQUATION; a warning stays in the model"},

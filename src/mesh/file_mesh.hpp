@@ -28,7 +28,7 @@ enum class Overlap : std::int8_t { nested, crossing };
 
 /// A part of the mesh with one material: a Gmsh physical volume, a Vega region, an Abaqus solid section. Where physical
 /// volumes overlap, the cells of each combination are a region: named by the smallest where each lies inside the next,
-/// else "A & B".
+/// by the first where all have the same cells, else "A & B".
 struct Region {
   std::string name;
   FileMaterial material = {};

@@ -48,10 +48,11 @@ Region region_of(const std::vector<Volume>& volumes, const std::vector<Combinati
   const bool crossing = std::adjacent_find(members.begin(), members.end(), apart) != members.end();
   Region region{.name = members[0]->name};
   region.overlap = crossing ? Overlap::crossing : Overlap::nested;
+  const bool same = members[0]->cells == members.back()->cells;  // of all of them, as they ascend
   if (crossing) region.parts.push_back(members[0]->name);
   for (std::size_t i = 1; i < members.size(); ++i) {
     region.parts.push_back(members[i]->name);
-    if (crossing) region.name += " & " + members[i]->name;
+    if (crossing && !same) region.name += " & " + members[i]->name;
   }
   return region;
 }

@@ -35,13 +35,13 @@ constexpr auto base64_values = [] {
   return values;
 }();
 
-bool blank(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
+bool is_white(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
 
 /// Hands out bytes in order. Base64 is decoded four characters at a time, so that a padded header may come first.
 class ByteStream {
  public:
   ByteStream(const Sources& sources, const VtuText& data) : sources_(sources), data_(data) {
-    while (data_.encoding == VtuEncoding::base64 && !data_.text.empty() && blank(data_.text.front())) {
+    while (data_.encoding == VtuEncoding::base64 && !data_.text.empty() && is_white(data_.text.front())) {
       data_.text.remove_prefix(1);
     }
   }
@@ -80,7 +80,7 @@ class ByteStream {
 
  private:
   void decode_quad(std::string& bytes) {
-    while (!data_.text.empty() && blank(data_.text.front())) data_.text.remove_prefix(1);
+    while (!data_.text.empty() && is_white(data_.text.front())) data_.text.remove_prefix(1);
     if (data_.text.size() < 4) fail("the binary data is cut off");
     std::uint32_t bits = 0;
     int characters = 0;

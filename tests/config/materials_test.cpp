@@ -84,6 +84,17 @@ TEST(Materials, OfVolumesThatCrossMustAgree) {
       ThrowsMessage<InputError>(AllOf(HasSubstr("'a' or 'b'"), HasSubstr("-material_a_&_b_young"))));
 }
 
+TEST(Materials, OfVolumesOfTheSameCellsMustAgree) {
+  const std::vector<mesh::Region> same = {{"a", {}, {"a", "b"}, mesh::Overlap::crossing}};
+  EXPECT_EQ(region_materials(with_box(with(general, {"-material_a_young", "3e6"})), same)[0].young, 3e6);
+  EXPECT_EQ(region_materials(with_box(with(general, {"-material_b_young", "3e6"})), same)[0].young, 3e6);
+  EXPECT_THAT(
+      [&] {
+        region_materials(with_box(with(general, {"-material_a_young", "2e6", "-material_b_young", "3e6"})), same);
+      },
+      ThrowsMessage<InputError>(HasSubstr("give these the same value")));
+}
+
 TEST(Materials, OfAFileAndOfOptionsCompleteEachOther) {
   const std::vector<mesh::Region> partly = {{"steel", {.young = 2e11, .poisson = .3}}};
   const auto all = region_materials(with_box({"-material_density", "7800"}), partly);

@@ -125,7 +125,6 @@ TEST(BadVeg, Files) {
                  {"ENU, 7800", "MOONEYRIVLIN, x", ":16", "'x'"},
                  {"ENU, 7800", "ORTHOTROPIC, -7800", ":16", "density"},
                  {"ENU, 7800, 2e11, 0.3", "ENU", ":16", "a law, a comma"},
-                 {"ENU, 7800", "ENU, 7800, 7800", ":16", "Poisson"},
                  {"0.3", "0.5", ":16", "Poisson"},
                  {"2e11", "-2e11", ":16", "Young"},
                  {"7800", "0", ":16", "density"},

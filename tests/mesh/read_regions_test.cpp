@@ -48,7 +48,7 @@ TEST(Regions, OfEntitiesWithSeveralTagsAreTheSame) {
 
 TEST(Regions, OfVolumesOfTheSameCellsHaveBothNames) {
   const auto mesh = read_text("a.msh", msh41_text());  // the upper volume is groups 2 and 9
-  EXPECT_EQ(region_of(mesh, 1).name, "the upper one & 9");
+  EXPECT_EQ(region_of(mesh, 1).name, "the upper one");
   EXPECT_THAT(region_of(mesh, 1).parts, ElementsAre("the upper one", "9"));
   EXPECT_EQ(region_of(mesh, 1).overlap, Overlap::crossing);
 }
