@@ -15,7 +15,7 @@ using Index = std::int64_t;
 
 /// What a file says of a material, in the file's units. What it leaves open is for the options to say.
 struct FileMaterial {
-  std::optional<double> young, poisson, density;
+  std::optional<double> young = {}, poisson = {}, density = {};
   /// Where the file states an elastic law that ritz does not read: "FILE:LINE: material law X is not supported". The
   /// options get past it by stating young and poisson themselves. Empty otherwise.
   std::string unread_law = {};
