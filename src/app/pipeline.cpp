@@ -16,6 +16,7 @@
 #include "ritz/base/counted.hpp"
 #include "ritz/parallel/guard.hpp"
 #include "ritz/stages/inertia.hpp"
+#include "ritz/stages/linear_cells.hpp"
 #include "ritz/stages/set_loads.hpp"
 
 namespace ritz::app {
@@ -49,6 +50,8 @@ void reduce(MPI_Comm comm, const config::Config& config) {
                                 [&](const std::string& what, double fraction) { progress.update(what, fraction); });
   });
   for (const auto& text : modes.notes) progress.warn(text);
+  if (!earlier.basis)
+    for (const auto& text : stages::linear_cells_warning(mesh, dofs, materials, modes)) progress.warn(text);
 
   const auto reduced =
       earlier.basis ? std::move(earlier.basis->reduced) : reduce_basis(config, mesh, dofs, full, modes, path, progress);
