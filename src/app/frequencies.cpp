@@ -82,7 +82,7 @@ std::string summary(const model::Modes& modes, const model::Inertia& inertia) {
     text += formatted("  ... %td more in frequencies.csv\n", modes.eigenvalues.size() - shown);
   if (moving)
     text +=
-        formatted("   all                                          %6.2f %% %6.2f %6.2f\n",
+        formatted("   all modes                                    %6.2f %% %6.2f %6.2f\n",
                   100 * masses.col(0).sum() / mass, 100 * masses.col(1).sum() / mass, 100 * masses.col(2).sum() / mass);
   if (moving) text += participation(inertia, shown);
   const auto& c = modes.certificate;

@@ -11,7 +11,9 @@
 #include "ritz/app/warnings.hpp"
 #include "ritz/base/counted.hpp"
 #include "ritz/base/shown.hpp"
+#include "ritz/parallel/guard.hpp"
 #include "ritz/scene/frames.hpp"
+#include "ritz/scene/room.hpp"
 
 namespace ritz::app {
 namespace {
@@ -71,6 +73,18 @@ std::string run_dynamics(stages::FullModel& model, const scene::Scene& scene, co
          inside_out(stages::inverted_cells(model, last.u));
 }
 
+/// Times, energies and probes of all steps are held until the end.
+void refuse_beyond_room(const config::Config& config, const scene::Scene& scene, const mesh::Mesh& mesh, double from) {
+  constexpr double energies = 110, probe = 50;  // bytes of text
+  scene::Recording recording;
+  recording.steps = std::max<std::int64_t>(step_count_from(scene, from), 0);
+  recording.frames = scene::frame_count({config.full.frames, config.full.every}, recording.steps);
+  recording.bytes_a_step = 8 + energies + probe * static_cast<double>(scene.probes.size());
+  recording.bytes_a_frame = 24 * static_cast<double>(mesh.vertices_total);
+  const double memory = free_memory_per_rank(mesh.comm);
+  parallel::on_root(mesh.comm, [&] { scene::refuse_beyond_room(recording, config.output, memory); });
+}
+
 }  // namespace
 
 void simulate(MPI_Comm comm, const config::Config& config) {
@@ -80,10 +94,11 @@ void simulate(MPI_Comm comm, const config::Config& config) {
   const auto mesh = progress.stage("mesh", [&] { return mesh::read(comm, config.source); });
   const auto dofs = mesh::number(mesh, config.supports, config.file_supports);
   const auto materials = config::region_materials(config, mesh.regions);
-  for (const auto& text : warnings(mesh, materials)) progress.warn(text);
+  for (const auto& text : warnings(config, mesh, dofs, materials)) progress.warn(text);
 
   const auto problem = checksums(mesh, dofs, materials).problem;
   const auto start = first_state(config, mesh, dofs, scene, problem);
+  refuse_beyond_room(config, scene, mesh, start.t);
   const auto times = times_from(scene, start.t);
   const auto steps = static_cast<std::int64_t>(times.size()) - 1;
   const auto frames = scene::frame_schedule({config.full.frames, config.full.every}, steps);

@@ -73,10 +73,16 @@ stages::DynamicState first_state(const config::Config& config, const mesh::Mesh&
           {n.at("kinetic"), n.at("elastic"), n.at("work"), n.at("dissipated"), n.at("start")}};
 }
 
+std::int64_t step_count_from(const scene::Scene& scene, double from) {
+  if (const auto* time = std::get_if<scene::Time>(&scene.analysis))
+    return static_cast<std::int64_t>(std::ceil((time->end - from) / time->step - 1e-9));
+  return std::get<scene::Static>(scene.analysis).steps;
+}
+
 std::vector<double> times_from(const scene::Scene& scene, double from) {
   std::vector<double> times = {from};
   if (const auto* time = std::get_if<scene::Time>(&scene.analysis)) {
-    const auto steps = static_cast<std::int64_t>(std::ceil((time->end - from) / time->step - 1e-9));
+    const auto steps = step_count_from(scene, from);
     for (std::int64_t n = 1; n <= steps; ++n) times.push_back(from + static_cast<double>(n) * time->step);
   } else {
     const int steps = std::get<scene::Static>(scene.analysis).steps;

@@ -25,6 +25,9 @@ std::string integrator_name(const scene::Scene& scene);
 stages::DynamicState first_state(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
                                  const scene::Scene& scene, const std::string& problem_checksum);
 
+/// How many of the scene's steps lie beyond `from`, before anything is listed; of statics at most.
+std::int64_t step_count_from(const scene::Scene& scene, double from);
+
 /// Times (or load fractions) from `from` on that the scene's steps reach, `from` included. Throws InputError when there
 /// are no others.
 std::vector<double> times_from(const scene::Scene& scene, double from);

@@ -55,6 +55,7 @@ int run_program(int argc, char** argv, config::Program program,
       if (parallel::rank(session.comm()) == 0) std::fputs(config::help_text(name).c_str(), stdout);
       return;
     }
+    petsc::take_blas_memory();
     work(session.comm(), config::read_config(session.comm(), program));
   });
 }

@@ -1,5 +1,7 @@
 #include "ritz/app/pipeline.hpp"
 
+#include <algorithm>
+
 #include "ritz/app/earlier.hpp"
 #include "ritz/app/export.hpp"
 #include "ritz/app/frequencies.hpp"
@@ -7,6 +9,7 @@
 #include "ritz/app/geometry.hpp"
 #include "ritz/app/outputs.hpp"
 #include "ritz/app/plan.hpp"
+#include "ritz/app/plausible.hpp"
 #include "ritz/app/progress.hpp"
 #include "ritz/app/reduce.hpp"
 #include "ritz/app/resources.hpp"
@@ -14,18 +17,28 @@
 #include "ritz/app/warnings.hpp"
 #include "ritz/app/write_model.hpp"
 #include "ritz/base/counted.hpp"
+#include "ritz/base/error.hpp"
 #include "ritz/parallel/guard.hpp"
 #include "ritz/stages/inertia.hpp"
 #include "ritz/stages/linear_cells.hpp"
+#include "ritz/stages/rigid_modes.hpp"
 #include "ritz/stages/set_loads.hpp"
 
 namespace ritz::app {
 namespace {
 
-std::string size_line(const mesh::Mesh& mesh, const mesh::Dofs& dofs) {
+std::string mesh_line(const mesh::Mesh& mesh, const mesh::Dofs& dofs) {
   return counted(mesh.vertices_total, "vertex", "vertices") + ", " + counted(mesh.cells_total, "cell", "cells") + ", " +
          counted(dofs.total, "degree of freedom", "degrees of freedom") + ", " +
          counted(std::ssize(mesh.sets), "named set", "named sets");
+}
+
+void refuse_an_empty_model(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs) {
+  const bool nothing_asked = config.modes.count == 0 && !config.basis && config.exported == config::Export::nothing;
+  if (nothing_asked && stages::rigid_motions(mesh, dofs).cols() == 0)
+    throw InputError(
+        "option -modes 0: the body is held, so it has no rigid modes either, and the model would be empty; raise "
+        "-modes, or give -snapshots, whose basis needs none");
 }
 
 }  // namespace
@@ -37,9 +50,10 @@ void reduce(MPI_Comm comm, const config::Config& config) {
   const auto mesh = progress.stage("mesh", [&] { return mesh::read(comm, config.source); });
   const auto dofs = mesh::number(mesh, config.supports, config.file_supports);
   const auto materials = config::region_materials(config, mesh.regions);
-  progress.line(size_line(mesh, dofs));
-  for (const auto& text : warnings(mesh, materials)) progress.warn(text);
+  progress.line(mesh_line(mesh, dofs));
+  for (const auto& text : warnings(config, mesh, dofs, materials)) progress.warn(text);
 
+  refuse_an_empty_model(config, mesh, dofs);
   const auto full = progress.stage("assemble", [&] { return stages::assemble(mesh, dofs, materials); });
   const auto options = choose_strategy(config, dofs);
   auto earlier = reuse(config, mesh, dofs, materials, options, progress);
@@ -55,6 +69,9 @@ void reduce(MPI_Comm comm, const config::Config& config) {
 
   const auto reduced =
       earlier.basis ? std::move(earlier.basis->reduced) : reduce_basis(config, mesh, dofs, full, modes, path, progress);
+  if (const auto rigid = std::ranges::count(modes.modes.kinds, model::ModeKind::rigid); config.basis && rigid > 0)
+    progress.warn("the basis leaves out the body's " + counted(rigid, "rigid motion", "rigid motions") +
+                  ": the model neither falls nor flies, and ritz-run refuses loads that would make it");
   const auto u = mesh::to_vertices(mesh, dofs, reduced.U);
   const auto polynomial = reduce_forces(config, mesh, dofs, full, u, progress);
   const auto inertia = progress.stage("inertia", [&] { return stages::inertia(mesh, full.scalar_mass, u); });
@@ -70,8 +87,9 @@ void reduce(MPI_Comm comm, const config::Config& config) {
                 {modes, u, reduced.reduction, polynomial.value, inertia, loads, figures}, progress);
   });
   const auto of_modes = stages::inertia(mesh, full.scalar_mass, mesh::to_vertices(mesh, dofs, modes.vectors));
-  progress.line(summary(modes.modes, of_modes) + basis_lines(reduced, polynomial) + peak_memory_line(comm) +
-                "\nwrote " + config.output.string());
+  progress.line(size_line(extent(mesh, materials), modes.modes) + "\n" + summary(modes.modes, of_modes) +
+                basis_lines(reduced, polynomial, inertia) + peak_memory_line(comm) + "\nwrote " +
+                config.output.string());
 }
 
 }  // namespace ritz::app

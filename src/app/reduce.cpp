@@ -72,12 +72,14 @@ ReducedPolynomial reduce_forces(const config::Config& config, const mesh::Mesh& 
   return {std::move(value), std::move(witness)};
 }
 
-std::string basis_lines(const ReducedBasis& basis, const ReducedPolynomial& polynomial) {
+std::string basis_lines(const ReducedBasis& basis, const ReducedPolynomial& polynomial, const model::Inertia& inertia) {
   if (!basis.reduction) return "";
   const auto& sigma = basis.reduction->singular_values;
   std::string text = line("basis: %td columns; singular values %.3g ... %.3g of %td found, %.3g left out\n",
                           basis.reduction->stiffness.size(), sigma[0], sigma[basis.reduction->stiffness.size() - 1],
                           sigma.size(), basis.reduction->discarded);
+  const Eigen::RowVector3d masses = 100 / inertia.mass() * inertia.effective_masses().colwise().sum();
+  text += line("effective mass of the basis, all columns: %.2f %% %.2f %.2f\n", masses[0], masses[1], masses[2]);
   if (const double pairs = figure(basis.figures, "derivative_pairs"); pairs > 0)
     text += line("modal derivatives: %.0f pairs, %.0f solved, %.0f too small to matter; Taylor slope %.3f\n", pairs,
                  figure(basis.figures, "derivatives_solved"), figure(basis.figures, "derivatives_skipped"),

@@ -33,6 +33,6 @@ ReducedPolynomial reduce_forces(const config::Config& config, const mesh::Mesh& 
                                 const stages::Full& full, const petsc::Tall& u, Progress& progress);
 
 /// What they came to, for people; empty for a linear model.
-std::string basis_lines(const ReducedBasis& basis, const ReducedPolynomial& polynomial);
+std::string basis_lines(const ReducedBasis& basis, const ReducedPolynomial& polynomial, const model::Inertia& inertia);
 
 }  // namespace ritz::app

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ritz/app/plausible.hpp"
 #include "ritz/mesh/quality.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/petsc/session.hpp"
@@ -23,13 +24,24 @@ bool locks(const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials) {
   return parallel::max(mesh.comm, found) > 0;
 }
 
+bool free_by_default(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs) {
+  return config.file_supports == mesh::FileSupports::used && dofs.total == mesh::components * mesh.vertices_total;
+}
+
 }  // namespace
 
-std::vector<std::string> warnings(const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials) {
+std::vector<std::string> warnings(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
+                                  const std::vector<fem::StVK>& materials) {
   auto notes = mesh::warnings(mesh);
   if (locks(mesh, materials))
     notes.push_back(
         "linear tetrahedra (tet4) lock at a Poisson's ratio above 0.45: frequencies come out too high; use tet10");
+  const auto of_units = unit_warnings(extent(mesh, materials), mesh.regions, materials, config);
+  notes.insert(notes.end(), of_units.begin(), of_units.end());
+  if (free_by_default(config, mesh, dofs))
+    notes.push_back(
+        "nothing holds the body: there is no -fix, and the mesh states no supports; hold it with -fix SET, or say -fix "
+        "none for a free body");
   if (!petsc::blas_is_openblas())
     notes.push_back(
         "the BLAS that is loaded is not OpenBLAS; with the reference BLAS factorizations take several times longer "

@@ -3,12 +3,13 @@
 #include <string>
 #include <vector>
 
-#include "ritz/fem/material.hpp"
-#include "ritz/mesh/mesh.hpp"
+#include "ritz/config/config.hpp"
 
 namespace ritz::app {
 
-/// The mesh's own warnings, locking of linear tetrahedra, a slow BLAS. *Collective*.
-std::vector<std::string> warnings(const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials);
+/// The mesh's own warnings, locking of linear tetrahedra, units that look mixed up, a body that nothing holds though
+/// nobody asked for a free one, a slow BLAS. *Collective*.
+std::vector<std::string> warnings(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
+                                  const std::vector<fem::StVK>& materials);
 
 }  // namespace ritz::app

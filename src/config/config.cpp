@@ -200,6 +200,7 @@ FullOptions read_full(Database& options, Program program) {
 Config read_config(MPI_Comm comm, Program program) {
   Database options;
   Config config;
+  if (petsc::option_value("-units")) config.units = UnitsOf::user;
   config.source = read_source(options);
   read_supports(options, config);
   config.material = read_material(options, "material_");

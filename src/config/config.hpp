@@ -27,6 +27,8 @@ enum class Solver { automatic, direct, iterative };
 enum class StoredRows { all, surface };
 enum class Goal { model, plan };
 enum class Voice { normal, quiet };
+/// Who said what a mesh's units are: the user, or nobody, so that they are SI by default.
+enum class UnitsOf { nobody, user };
 enum class Export { nothing, matrixmarket, petsc };
 
 /// What only ritz-full looks at.
@@ -50,6 +52,7 @@ enum class Program { reduce, full };
 
 struct Config {
   mesh::Source source;
+  UnitsOf units = UnitsOf::nobody;
   std::vector<mesh::Fixed> supports;
   mesh::FileSupports file_supports = mesh::FileSupports::used;
   MaterialOptions material;                          ///< for every region

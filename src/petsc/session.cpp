@@ -2,9 +2,12 @@
 
 #include <dlfcn.h>
 #include <slepceps.h>
+// after PETSc itself, which it needs
+#include <petscblaslapack.h>
 
 #include <cstdlib>
 #include <map>
+#include <new>
 
 #include "ritz/petsc/check.hpp"
 
@@ -58,6 +61,15 @@ bool blas_is_openblas() { return symbol<void*>("openblas_get_config") != nullptr
 void limit_blas_threads() {
   if (std::getenv("OPENBLAS_NUM_THREADS") || std::getenv("OMP_NUM_THREADS")) return;
   if (const auto set = symbol<void (*)(int)>("openblas_set_num_threads")) set(1);
+}
+
+void take_blas_memory() {
+  constexpr std::size_t enough = std::size_t{320} << 20;  // OpenBLAS maps its 128 MB up to twice at once, to align them
+  ::operator delete(::operator new(enough));
+  constexpr PetscBLASInt n = 128;  // larger than what OpenBLAS multiplies without its buffer
+  constexpr PetscScalar one = 1, zero = 0;
+  std::vector<PetscScalar> a(std::size_t{n} * n), c(a.size());
+  BLASgemm_("N", "N", &n, &n, &n, &one, a.data(), &n, a.data(), &n, &zero, c.data(), &n);
 }
 
 std::vector<std::pair<std::string, std::string>> library_versions() {

@@ -33,6 +33,10 @@ bool blas_is_openblas();
 /// One BLAS thread a rank, unless OPENBLAS_NUM_THREADS or OMP_NUM_THREADS says otherwise.
 void limit_blas_threads();
 
+/// Has the BLAS take its work space now. Where memory runs out in its first call, OpenBLAS would ask again for ever:
+/// that there is enough is tried first. Throws std::bad_alloc.
+void take_blas_memory();
+
 /// A named stage of -log_view while it lives.
 class LogStage {
  public:

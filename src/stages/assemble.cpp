@@ -2,10 +2,13 @@
 
 #include <utility>
 
+#include "ritz/base/error.hpp"
+#include "ritz/base/shown.hpp"
 #include "ritz/fem/dispatch.hpp"
 #include "ritz/fem/mass.hpp"
 #include "ritz/fem/stiffness.hpp"
 #include "ritz/stages/block_rows.hpp"
+#include "ritz/stages/rayleigh_ritz.hpp"
 
 namespace ritz::stages {
 namespace {
@@ -87,6 +90,18 @@ petsc::Rows scalar_mass_rows(const mesh::Mesh& mesh, const Sums& sums) {
   return rows;
 }
 
+/// Squares and quotients of numbers beyond these leave double precision, and what is made of them has no digits.
+void refuse_extremes(const Full& full) {
+  constexpr double least = 1e-120, most = 1e120;
+  const double stiffness = one_norm(full.stiffness), mass = one_norm(full.scalar_mass);
+  for (const double value : {stiffness, mass, stiffness / mass})
+    if (!(value >= least && value <= most))
+      throw NumericalError(
+          "the stiffness and the mass of the body, of the order of " + shown(stiffness, 3) + " N/m and " +
+          shown(mass, 3) +
+          " kg, are beyond what double precision can compute with; check lengths, materials and -units");
+}
+
 }  // namespace
 
 Full assemble(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const std::vector<fem::StVK>& materials) {
@@ -100,6 +115,7 @@ Full assemble(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const std::vector<
       petsc::symmetric_matrix(mesh.comm, std::move(sums.stiffness.rows), dofs.block, petsc::Definite::semi);
   full.mass = petsc::symmetric_matrix(mesh.comm, mass_rows(mesh, dofs, sums), dofs.block, positive);
   full.scalar_mass = petsc::symmetric_matrix(mesh.comm, scalar_mass_rows(mesh, sums), 1, positive);
+  refuse_extremes(full);
   return full;
 }
 

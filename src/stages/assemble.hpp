@@ -20,7 +20,8 @@ struct Full {
 
 /// Assembles K at rest and the exact consistent mass. Each rank computes the complete rows of its own vertices from its
 /// own and its halo's cells, in the file's order of cells: no value is communicated, and no entry depends on the number
-/// of ranks. `materials` are by region. *Collective*.
+/// of ranks. `materials` are by region. Throws NumericalError for a K or M, or their quotient, beyond 1e±120.
+/// *Collective*.
 Full assemble(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const std::vector<fem::StVK>& materials);
 
 }  // namespace ritz::stages

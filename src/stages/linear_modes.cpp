@@ -95,6 +95,10 @@ class Search {
   void keep_clusters_whole(Index wanted) {
     const Index count = std::min<Index>(options_.count, most_);
     while ((kept = kept_count(found.pairs.values, count, wanted == most_)) == 0 && count > 0) {
+      if (wanted == most_ || !found.pairs.values.allFinite())
+        throw NumericalError(
+            "the eigensolver found no finite modes; check lengths, materials and -units, or use a mesh "
+            "of better shape");
       wanted = std::min<Index>(2 * wanted, most_);
       found = find(static_cast<int>(wanted), found.pairs.vectors);
     }

@@ -112,7 +112,7 @@ void describe_inertia(const model::Inertia& inertia, std::ostream& out) {
   const auto effective = inertia.effective_masses();
   if (effective.rows() == 0) return;
   out << '\n';
-  item(out) << "effective mass, % of all\n";
+  item(out) << "effective mass of the columns of U, % of all\n";
   item(out) << "column         x         y         z\n";
   const auto row = [&](const std::string& name, const Eigen::RowVector3d& masses) {
     const Eigen::RowVector3d share = 100 / inertia.mass() * masses;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <limits>
 #include <numeric>
 #include <ostream>
 #include <utility>
@@ -10,9 +11,12 @@
 #include "inside_out.hpp"
 #include "ritz/base/counted.hpp"
 #include "ritz/base/error.hpp"
+#include "ritz/base/shown.hpp"
 #include "ritz/format/parts.hpp"
+#include "ritz/scene/room.hpp"
 #include "ritz/scene/scene.hpp"
 #include "run_analysis.hpp"
+#include "run_balance.hpp"
 #include "run_body.hpp"
 #include "run_frames.hpp"
 #include "run_loads.hpp"
@@ -45,6 +49,14 @@ std::int64_t count_steps(const scene::Scene& scene) {
   return std::get<scene::Static>(scene.analysis).steps;
 }
 
+/// People write percent.
+std::string overdamped(const scene::Damping& damping) {
+  const auto large = std::ranges::find_if(damping.ratio, [](double ratio) { return ratio >= 1; });
+  if (large == damping.ratio.end()) return "";
+  return "[damping] ratio " + shown(*large) + " is overdamped, nothing swings: a ratio is a fraction of the critical " +
+         "damping, and 2 % is written 0.02";
+}
+
 Cost run_analysis(const RunOptions& options, const scene::Scene& scene, const model::Body& body, Recorder& recorder) {
   const Visible progress = options.voice == Voice::quiet ? Visible::no : on_terminal();
   const auto* time = std::get_if<scene::Time>(&scene.analysis);
@@ -69,14 +81,22 @@ void say_cost(const Cost& cost, const scene::Scene& scene, const model::Body& bo
 void run_scene(const RunOptions& options, const format::ModelReader& in, std::ostream& out, std::ostream& err) {
   const scene::Scene scene = scene::read(options.scene);
   const std::int64_t steps = count_steps(scene);
+  const std::int64_t frames = frame_count(options, steps);
+  const model::Body body = read_body(in, scene, frames == 0 ? Frames::none : Frames::some, options.forces);
+  refuse_rigid_motion(in, scene, body);
+  scene::refuse_beyond_room({.steps = steps,
+                             .frames = frames,
+                             .bytes_a_step = 8.0 * static_cast<double>(1 + reduced_size(body)),
+                             .bytes_a_frame = 8.0 * static_cast<double>(body.geometry.points.size())},
+                            options.output, std::numeric_limits<double>::infinity());
   const auto frame_states = frame_schedule(options, steps);
-  const model::Body body = read_body(in, scene, frame_states.empty() ? Frames::none : Frames::some, options.forces);
 
   const auto plan = plan_scene(scene, steps, frame_states, reduced_size(body));
   Recorder recorder(options.output, body, plan, frame_states);
   if (!scene.probes.empty()) recorder.add_probes(scene.probes, probe_matrix(scene, body));
   if (!options.timing.empty()) recorder.add_timing(options.timing);
 
+  if (const auto text = overdamped(scene.damping); !text.empty()) err << "ritz-run: warning: " << text << '\n';
   const Cost cost = run_analysis(options, scene, body, recorder);
   recorder.commit();
   if (!cost.warning.empty()) err << "ritz-run: warning: " << cost.warning << '\n';

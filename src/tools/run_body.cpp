@@ -42,11 +42,14 @@ model::Body read_body(const format::ModelReader& in, const scene::Scene& scene, 
   model::Body body;
   body.name = first_body(in);
   body.reduction = format::read_reduction(in, body.name);
-  if (!body.reduction) body.modes = required(format::read_modes(in, body.name), in, "modes");
+  body.modes = format::read_modes(in, body.name);
+  if (!body.reduction) required(body.modes, in, "modes");
+  const bool lacks_motions =
+      body.reduction && body.modes && std::ranges::count(body.modes->kinds, model::ModeKind::rigid) > 0;
   const Eigen::Index r = reduced_size(body);
   if (forces == Forces::stored) body.polynomial = format::read_polynomial(in, body.name);
   if (body.polynomial) fit(body.polynomial->r, r, in, "polynomial");
-  if (frames == Frames::some || any_target<std::int64_t>(scene)) {
+  if (frames == Frames::some || any_target<std::int64_t>(scene) || lacks_motions) {
     body.geometry = format::read_geometry(in, body.name);
     body.basis = format::read_basis(in, {}, body.name);
     fit(body.basis.U.cols(), r, in, "columns of U");
@@ -55,7 +58,7 @@ model::Body read_body(const format::ModelReader& in, const scene::Scene& scene, 
     body.loads = format::read_loads(in, body.name);
     for (const auto& load : body.loads) fit(load.total.rows(), r, in, "loads");
   }
-  if (scene.gravity || scene.shake) {
+  if (scene.gravity || scene.shake || lacks_motions) {
     body.inertia = required(format::read_inertia(in, body.name), in, "inertia, which gravity and shaking need");
     fit(body.inertia->gram.rows(), 4 + 3 * r, in, "inertia");
   }

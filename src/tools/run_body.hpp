@@ -13,7 +13,8 @@ enum class Frames : unsigned char { none, some };
 Eigen::Index reduced_size(const model::Body& body);
 
 /// Reads the first body: its reduction or, where U is the modes, these; the polynomial if there is one and `forces`
-/// wants it; points, cells and U for frames or single vertices; loads for named sets; inertia for gravity and shaking.
+/// wants it; points, cells and U for frames or single vertices; loads for named sets; inertia for gravity and shaking;
+/// modes, geometry and inertia also where a reduction may leave out rigid motions.
 /// Throws InputError when a part is missing or does not fit the others.
 model::Body read_body(const format::ModelReader& in, const scene::Scene& scene, Frames frames, Forces forces);
 

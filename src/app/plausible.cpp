@@ -1,0 +1,136 @@
+#include "ritz/app/plausible.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "ritz/base/shown.hpp"
+#include "ritz/fem/dispatch.hpp"
+#include "ritz/fem/geometry.hpp"
+#include "ritz/mesh/units.hpp"
+#include "ritz/parallel/comm.hpp"
+
+namespace ritz::app {
+namespace {
+
+// From the softest gels to diamond, from aerogel to osmium.
+constexpr double least_young = 10, most_young = 1.5e12, least_density = .5, most_density = 2.4e4;
+constexpr double least_speed = .3, most_speed = 2.5e4;     ///< √(E/ρ), m/s
+constexpr double metal_density = 3000, metal_speed = 300;  ///< what is denser than rock is a metal or a ceramic
+constexpr double smallest = 1e-8, largest = 2e3;           ///< of bodies that a guess of units may lead to, m
+constexpr double most_mass = 1e6;                          ///< kg
+constexpr double shortest_of_millimetres = 3e-4;           ///< m
+
+bool within(double value, double least, double most) { return value >= least && value <= most; }
+
+bool plausible(double young, double density) {
+  const double speed = std::sqrt(young / density);
+  return within(young, least_young, most_young) && within(density, least_density, most_density) &&
+         within(speed, density > metal_density ? metal_speed : least_speed, most_speed);
+}
+
+bool plausible(double young, double density, const Extent& extent) {
+  return plausible(young, density) && within(extent.size.maxCoeff(), smallest, largest) && extent.mass <= most_mass;
+}
+
+/// The numbers of a file and its options, taken in another system than they were.
+Extent reread(const Extent& extent, const mesh::Units& from, const mesh::Units& to) {
+  return {extent.size * (to.length / from.length), extent.mass * (to.mass / from.mass)};
+}
+
+/// Of some systems the first in which the constants of a region and the body's extent are all plausible.
+std::optional<std::string> likely_units(std::initializer_list<const char*> systems, const fem::StVK& m,
+                                        const Extent& extent, const mesh::Units& from) {
+  for (const char* name : systems) {
+    const auto to = mesh::parse_units(name);
+    if (plausible(m.young * (to.pressure() / from.pressure()), m.density * (to.density() / from.density()),
+                  reread(extent, from, to)))
+      return name;
+  }
+  return std::nullopt;
+}
+
+/// "a Young's modulus in MPa": the one unit, or two, that the options would be in if lengths are right.
+std::optional<std::string> likely_constants(const fem::StVK& m) {
+  struct Unit {
+    const char* name;
+    double factor;
+  };
+  for (const Unit& stress : {Unit{"", 1}, {"MPa", 1e6}, {"GPa", 1e9}})
+    for (const Unit& density : {Unit{"", 1}, {"g/cm3", 1e3}, {"t/mm3", 1e12}, {"kg/mm3", 1e9}}) {
+      if (!plausible(m.young * stress.factor, m.density * density.factor)) continue;
+      const std::string young = stress.factor > 1 ? std::string("a Young's modulus in ") + stress.name : "";
+      const std::string rho = density.factor > 1 ? std::string("a density in ") + density.name : "";
+      return young + (young.empty() || rho.empty() ? "" : " and ") + rho;
+    }
+  return std::nullopt;
+}
+
+std::string constants(const fem::StVK& m) {
+  return "E = " + shown(m.young, 3) + " Pa and a density of " + shown(m.density, 3) + " kg/m3";
+}
+
+std::string unlikely_material(const mesh::Region& region, const fem::StVK& m, const Extent& extent,
+                              const mesh::Units& units) {
+  const std::string what = "no solid has the constants of region '" + region.name + "', " + constants(m) +
+                           " (a wave speed of " + shown(std::sqrt(m.young / m.density), 3) + " m/s)";
+  const std::string looks = ": the numbers look like those of -units ";
+  if (const auto other = likely_units({"m-kg-s", "mm-t-s", "mm-kg-ms"}, m, extent, units)) return what + looks + *other;
+  if (const auto other = likely_constants(m))
+    return what + ": they look like " + *other + ", and must be in those of -units " + units.name;
+  if (const auto other = likely_units({"cm-g-s", "mm-g-ms", "um-kg-s", "mm-kg-s", "um-g-us"}, m, extent, units))
+    return what + looks + *other;
+  return what + ": check their units against -units " + units.name;
+}
+
+}  // namespace
+
+Extent extent(const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials) {
+  Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::max()), high = -low;
+  for (int v = 0; v < mesh.owned; ++v) {
+    low = low.cwiseMin(mesh.points.col(v));
+    high = high.cwiseMax(mesh.points.col(v));
+  }
+  MPI_Allreduce(MPI_IN_PLACE, low.data(), 3, MPI_DOUBLE, MPI_MIN, mesh.comm);
+  MPI_Allreduce(MPI_IN_PLACE, high.data(), 3, MPI_DOUBLE, MPI_MAX, mesh.comm);
+  double mass = 0;
+  for (int c = 0; c < mesh.cells.owned; ++c) {
+    const auto i = static_cast<std::size_t>(c);
+    mass += materials[static_cast<std::size_t>(mesh.cells.regions[i])].density *
+            fem::visit(mesh.cells.types[i],
+                       [&]<class E>(E) { return fem::volume<E>(fem::Coordinates<E>(mesh.corners(c))); });
+  }
+  return {high - low, parallel::sum(mesh.comm, mass)};
+}
+
+std::string size_line(const Extent& extent, const model::Modes& modes) {
+  const auto& s = extent.size;
+  std::string text = "size " + shown(s.x(), 4) + " x " + shown(s.y(), 4) + " x " + shown(s.z(), 4) + " m, mass " +
+                     shown(extent.mass, 4) + " kg";
+  const auto first = std::ranges::find(modes.kinds, model::ModeKind::flexible) - modes.kinds.begin();
+  if (first < modes.eigenvalues.size())
+    text += ", first frequency " +
+            shown(std::sqrt(std::max(0.0, modes.eigenvalues[first])) / (2 * std::numbers::pi), 4) + " Hz";
+  return text;
+}
+
+std::vector<std::string> unit_warnings(const Extent& extent, const std::vector<mesh::Region>& regions,
+                                       const std::vector<fem::StVK>& materials, const config::Config& config) {
+  const auto& units = config.source.units;
+  const double length = extent.size.maxCoeff();
+  for (std::size_t i = 0; i < materials.size(); ++i)
+    if (!plausible(materials[i].young, materials[i].density))
+      return {unlikely_material(regions[i], materials[i], extent, units)};
+  const std::string body = "the body is " + shown(length, 3) + " m long and weighs " + shown(extent.mass, 3) + " kg";
+  if (config.units == config::UnitsOf::nobody && extent.mass > most_mass)
+    return {body + ": if its lengths are in millimetres, say -units mm-t-s, and the material in MPa and t/mm3 (" +
+            shown(materials[0].young * 1e-6, 3) + " and " + shown(materials[0].density * 1e-12, 3) +
+            "); if it is as large as that, say -units " + units.name};
+  if (units.length == 1e-3 && length < shortest_of_millimetres)
+    return {body + " with -units " + units.name + ": if its lengths are in metres, say -units m-kg-s"};
+  return {};
+}
+
+}  // namespace ritz::app

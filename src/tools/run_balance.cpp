@@ -1,0 +1,192 @@
+#include "run_balance.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "ritz/base/error.hpp"
+#include "ritz/fem/cell.hpp"
+
+namespace ritz::tools {
+namespace {
+
+using Wrench = Eigen::Matrix<double, 6, 1>;  // force, N, and torque about the centre of mass, N m
+
+constexpr double unseen = 1e-9;       ///< share of a rigid motion's mass that a basis without it may move
+constexpr double equilibrium = 1e-6;  ///< of the loads' sizes one by one
+constexpr double same_area = .01;
+
+Eigen::Vector3d vector(const scene::Vector3& v) { return {v[0], v[1], v[2]}; }
+
+Wrench wrench(const Eigen::Vector3d& force, const Eigen::Vector3d& arm) {
+  Wrench w;
+  w << force, arm.cross(force);
+  return w;
+}
+
+/// The corners of the boundary faces, by rows of points: faces that one cell alone has.
+std::vector<std::vector<std::int64_t>> boundary(const model::DrawnCells& cells) {
+  std::map<std::vector<std::int64_t>, std::pair<int, std::vector<std::int64_t>>> faces;
+  const auto add = [&](std::vector<std::int64_t> face) {
+    auto key = face;
+    std::ranges::sort(key);
+    auto& [count, corners] = faces[key];
+    ++count;
+    corners = std::move(face);
+  };
+  for (std::size_t c = 0; c + 1 < cells.offsets.size(); ++c) {
+    const auto* first = cells.vertices.data() + cells.offsets[c];
+    const int vtk = cells.vtk_types[c];
+    if (vtk == 5 || vtk == 22) add({first, first + 3});
+    if (vtk == 9) add({first, first + 4});
+    for (const auto type : {fem::CellType::tet4, fem::CellType::tet10, fem::CellType::hex8}) {
+      const auto shape = fem::shape(type);
+      if (vtk != shape.vtk) continue;
+      for (int f = 0; f < shape.faces; ++f) {
+        std::vector<std::int64_t> face;
+        for (int i = 0; i < fem::shape(shape.face).corners; ++i)
+          face.push_back(first[fem::face_vertices(type, f)[static_cast<std::size_t>(i)]]);
+        add(face);
+      }
+    }
+  }
+  std::vector<std::vector<std::int64_t>> once;
+  for (const auto& [key, face] : faces)
+    if (face.first == 1) once.push_back(face.second);
+  return once;
+}
+
+class Balance {
+ public:
+  explicit Balance(const model::Body& body) : body_(body), centre_(body.inertia->centre_of_mass()) {}
+
+  /// What a load does to the body as a whole, or nothing where the model does not tell.
+  std::optional<Wrench> of(const scene::Load& load) const {
+    if (const auto* id = std::get_if<std::int64_t>(&load.target)) {
+      const auto& ids = body_.geometry.vertex_ids;
+      const auto row = std::ranges::find(ids, *id) - ids.begin();
+      return row < std::ssize(ids) ? std::optional(wrench(force(load, 1), arm(row))) : std::nullopt;
+    }
+    const auto& name = std::get<std::string>(load.target);
+    const auto& sets = body_.geometry.sets;
+    const auto set = std::ranges::find(sets, name, &model::VertexSet::name);
+    if (set == sets.end() || std::ssize(set->rows) < set->full_count || set->rows.empty()) return std::nullopt;
+    const bool by_surface =
+        std::holds_alternative<scene::Pressure>(load.kind) || std::holds_alternative<scene::Traction>(load.kind);
+    return by_surface ? of_surface(load, *set) : std::optional(of_vertices(load, *set));
+  }
+
+ private:
+  Eigen::Vector3d point(std::int64_t row) const { return body_.geometry.points.row(row); }
+  Eigen::Vector3d arm(std::int64_t row) const { return point(row) - centre_; }
+
+  static Eigen::Vector3d force(const scene::Load& load, double vertices) {
+    if (const auto* total = std::get_if<scene::TotalForce>(&load.kind)) return vector(total->newton) / vertices;
+    return vector(std::get<scene::EachForce>(load.kind).newton);
+  }
+
+  Wrench of_vertices(const scene::Load& load, const model::VertexSet& set) const {
+    Wrench sum = Wrench::Zero();
+    for (const auto row : set.rows) sum += wrench(force(load, static_cast<double>(set.full_count)), arm(row));
+    return sum;
+  }
+
+  std::optional<Wrench> of_surface(const scene::Load& load, const model::VertexSet& set) const {
+    const std::set<std::int64_t> rows(set.rows.begin(), set.rows.end());
+    Wrench sum = Wrench::Zero();
+    double area = 0;
+    for (const auto& face : boundary(body_.geometry.cells)) {
+      if (!std::ranges::all_of(face, [&](auto row) { return rows.contains(row); })) continue;
+      for (std::size_t i = 1; i + 1 < face.size(); ++i) {  // a fan of triangles
+        const Eigen::Vector3d a = arm(face[0]), b = arm(face[i]), c = arm(face[i + 1]);
+        const Eigen::Vector3d outward = (b - a).cross(c - a) / 2;
+        area += outward.norm();
+        const auto* pressure = std::get_if<scene::Pressure>(&load.kind);
+        const Eigen::Vector3d push =
+            pressure ? Eigen::Vector3d(-pressure->pascal * outward)
+                     : Eigen::Vector3d(outward.norm() * vector(std::get<scene::Traction>(load.kind).pascal));
+        sum += wrench(push, (a + b + c) / 3);
+      }
+    }
+    const auto stored = std::ranges::find(body_.loads, set.name, &model::SetLoad::set);
+    if (stored == body_.loads.end() || std::abs(area - stored->area) > same_area * stored->area) return std::nullopt;
+    return sum;
+  }
+
+  const model::Body& body_;
+  Eigen::Vector3d centre_;
+};
+
+/// Rows that take of a wrench what drives a rigid motion that U does not see, in √kg-normalised motions.
+Eigen::MatrixXd unseen_motions(const model::Inertia& inertia) {
+  Eigen::Matrix<double, 6, 6> G = Eigen::Matrix<double, 6, 6>::Zero();
+  G.topLeftCorner<3, 3>().diagonal().setConstant(inertia.mass());
+  G.bottomRightCorner<3, 3>() = inertia.tensor();
+  const Eigen::Matrix<double, 6, 6> scaling =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>>(G).operatorInverseSqrt();
+  const Eigen::MatrixXd seen = inertia.rigid_coupling() * scaling;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> shares(seen.transpose() * seen);
+  const auto count = (shares.eigenvalues().array() < unseen).count();
+  return shares.eigenvectors().leftCols(count).transpose() * scaling;
+}
+
+/// Loads that share a factor over time.
+struct Term {
+  const std::optional<scene::Table>* table;
+  Eigen::VectorXd drive;
+};
+
+bool in_equilibrium(const scene::Scene& scene, const std::vector<Term>& terms) {
+  std::set<double> times = {0, 1};
+  for (const auto& term : terms)
+    if (*term.table)
+      for (const auto& [t, value] : (*term.table)->points) times.insert(t);
+  for (const double t : times) {  // between them all factors are linear
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(terms.front().drive.size());
+    double sizes = 0;
+    for (const auto& term : terms) {
+      const double factor = scene::factor(scene, *term.table, t);
+      sum += factor * term.drive;
+      sizes += std::abs(factor) * term.drive.norm();
+    }
+    if (sum.norm() > equilibrium * sizes) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+void refuse_rigid_motion(const format::ModelReader& in, const scene::Scene& scene, const model::Body& body) {
+  if (!body.reduction || !body.modes || (scene.loads.empty() && !scene.gravity && !scene.shake)) return;
+  const auto rigid = std::ranges::count(body.modes->kinds, model::ModeKind::rigid);
+  if (rigid == 0) return;
+  const auto refuse = [&](const std::string& why) {
+    throw InputError("the basis of " + in.name() + " leaves out the " + std::to_string(rigid) +
+                     " rigid motions of its body, which neither falls nor flies, and " + why +
+                     "; hold the body (-fix), use a model of modes alone (no -derivatives, -snapshots, -basis or "
+                     "-polynomial), or ritz-full");
+  };
+  const Eigen::MatrixXd motions = unseen_motions(*body.inertia);
+  if (motions.rows() < rigid) refuse("the scene's loads may move its pieces against each other");
+  const Balance balance(body);
+  const std::optional<scene::Table> constant;
+  std::optional<scene::Table> shaking;
+  std::vector<Term> terms;
+  for (const auto& load : scene.loads) {
+    const auto wrench = balance.of(load);
+    if (!wrench) refuse("whether the scene's loads push it as a whole cannot be told from what the model stores");
+    terms.push_back({&load.table, motions * *wrench});
+  }
+  const auto add_field = [&](const scene::Vector3& acceleration, const std::optional<scene::Table>& table) {
+    terms.push_back({&table, motions.leftCols<3>() * (body.inertia->mass() * vector(acceleration))});
+  };
+  if (scene.gravity) add_field(*scene.gravity, constant);
+  if (scene.shake) add_field(scene.shake->direction, shaking = scene.shake->table);
+  if (!in_equilibrium(scene, terms)) refuse("the scene's loads push or turn it as a whole");
+}
+
+}  // namespace ritz::tools
