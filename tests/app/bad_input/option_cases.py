@@ -61,6 +61,8 @@ WORDS = [
 ]
 
 KINDS = [
+    bad("no modes of a body that is held", "-modes 0", "-modes 0", "empty"),
+    bad("no modes, in a plan", "-modes 0 -fix xmin,xmax -plan", "-modes 0", "-snapshots"),
     bad("2.5 modes", "-modes 2.5", "-modes 2.5", "whole number"),
     bad("five modes", "-modes five", "-modes five"),
     bad("-3 modes", "-modes -3", "-modes -3", "at least 0"),
@@ -169,6 +171,9 @@ OPTION_FILES = [
 ]
 
 NUMERICS = [
+    bad("a stiffness beyond squares", "-material_young 1e200", "double precision", "-units", code=1),
+    bad("a stiffness beneath them", "-material_young 1e-300", "double precision", code=1),
+    bad("a mass beneath them, iteratively", "-material_density 1e-200 -solver iterative", "double precision", code=1),
     bad("fewer modes converge", "-modes_eps_max_it 1 -modes_eps_ncv 12 -modes_eps_tol 1e-15", "converge", code=1,
         files={"model.h5": "earlier", "frequencies.csv": "earlier"}),
 ]
