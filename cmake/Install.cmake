@@ -6,7 +6,7 @@ set(package "${CMAKE_INSTALL_LIBDIR}/cmake/ritz")
 # ritz::runtime stands on Eigen alone; ritz::format adds HDF5, which a project that only steps models need not have.
 install(TARGETS ritz_base ritz_fem ritz_model ritz_runtime EXPORT ritz-runtime
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(TARGETS ritz_format EXPORT ritz-format
+install(TARGETS ritz_files ritz_format EXPORT ritz-format
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT ritz-runtime NAMESPACE ritz:: DESTINATION ${package})
 install(EXPORT ritz-format NAMESPACE ritz:: DESTINATION ${package})

@@ -10,7 +10,7 @@ from pathlib import Path
 import layers
 
 # Outside headers and the folders that may include them. Whatever is not listed belongs to nobody.
-EVERYWHERE_ABOVE_RUNTIME = {"scene", "format", "tools", "parallel", "petsc", "mesh", "stages", "config", "app"}
+EVERYWHERE_ABOVE_RUNTIME = {"files", "scene", "format", "tools", "parallel", "petsc", "mesh", "stages", "config", "app"}
 OUTSIDE = [
     (r"Eigen/\w+", {"fem", "model", "runtime"} | EVERYWHERE_ABOVE_RUNTIME),
     (r"(petsc|slepc)\w*\.h", {"petsc"}),

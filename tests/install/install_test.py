@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 
 PARALLEL = re.compile(r"mpi|petsc|slepc|metis|open-rte", re.IGNORECASE)
-LAYERS = {"base", "fem", "model", "runtime", "format"}
+LAYERS = {"base", "files", "fem", "model", "runtime", "format"}
 
 
 def run(*words):
