@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cstring>
+#include <exception>
 #include <stdexcept>
+
+#include "hdf5.hpp"
+#include "ritz/files/failure.hpp"
 
 namespace ritz::format {
 
@@ -30,8 +34,23 @@ Vote vote(const Access& access, bool yes) {
 
 void agree(const ModelWriter& out, bool ok, const std::string& path) {
   if (vote(out.access(), ok) == Vote::all_yes) return;
+  if (const int error = hdf5_error(); !ok && error != 0) files::fail_to_write(out.path(), error);
   throw std::runtime_error("cannot write " + path + " of " + out.path().string() +
                            ": is the disk full? No file was left behind; make room and run again");
+}
+
+void on_writer(const ModelWriter& out, const std::function<void()>& work) {
+  std::exception_ptr failed;
+  if (out.access().writes_small) {
+    try {
+      work();
+    } catch (...) {
+      failed = std::current_exception();
+    }
+  }
+  if (vote(out.access(), !failed) == Vote::all_yes) return;
+  if (failed) std::rethrow_exception(failed);
+  throw std::runtime_error("cannot write " + out.path().string() + ": the rank that writes it failed");
 }
 
 }  // namespace ritz::format

@@ -1,20 +1,19 @@
-// From a finished file beside the real one to the real one, so that no reader ever sees half of it. POSIX, but for
-// the reservation of disk space, which is Linux's.
+// What a model file asks of the disk besides its bytes. POSIX, but for the reservation of disk space, which is Linux's.
 #pragma once
 #include <cstdint>
 #include <filesystem>
 
 namespace ritz::format {
 
-/// Creates an empty `part`; 0, or the errno that says why neither it nor, later, `path` could be written.
-int try_create(const std::filesystem::path& path, const std::filesystem::path& part);
+/// Takes the room for the first `bytes` of a file without changing its contents or length: 0, or the errno that says
+/// that the disk has not got it or that the process may not write so long a file. 0 where the file system cannot tell.
+int reserve(const std::filesystem::path& file, std::uint64_t bytes);
 
-/// Takes the room for the first `bytes` of a file without changing its contents or length; false when the disk has not
-/// got it or the process may not write so long a file. True where the file system cannot tell.
-bool reserve(const std::filesystem::path& file, std::uint64_t bytes);
+/// Gives back what was reserved and not used.
+void release_room(const std::filesystem::path& file);
 
-/// Syncs `part` to the disk, renames it to `path` and makes the link with the ending .vtkhdf. False when it failed
-/// before the renaming took place.
-bool publish(const std::filesystem::path& part, const std::filesystem::path& path);
+/// Makes the link PATH with the ending .vtkhdf, as ParaView goes by the ending. A convenience: where no link can be
+/// made, or a real file stands in its place, none is.
+void link_beside(const std::filesystem::path& path);
 
 }  // namespace ritz::format

@@ -23,6 +23,9 @@ class Quiet {
   void* data_ = nullptr;
 };
 
+/// The errno of the operating system behind HDF5's last failure; 0 where HDF5 knows none.
+int hdf5_error();
+
 /// The type in the file (and, little-endian machines only, in memory). HDF5 owns it.
 template <class T>
 hid_t hdf5_type() {

@@ -1,6 +1,7 @@
 #include "ritz/format/motion_dataset.hpp"
 
-#include <stdexcept>
+#include "hdf5.hpp"
+#include "ritz/files/failure.hpp"
 
 namespace ritz::format {
 namespace {
@@ -22,7 +23,7 @@ Dataset create(hid_t file, const char* name, hid_t type, const Extent& shape, co
 }  // namespace
 
 void require_written(bool good) {
-  if (!good) throw std::runtime_error("could not write all of the motion: is the disk full?");
+  if (!good) files::fail_to_write("all of the motion", hdf5_error());
 }
 
 void write_attribute(hid_t object, const char* name, const std::string& text) {

@@ -18,6 +18,7 @@ std::string link_name(std::string_view name) {
   for (const char c : name) {
     if (c == '/') link += "%2F";
     else if (c == '%') link += "%25";
+    else if (c == '\0') link += "%00";
     else if (c == '.' && link.empty()) link += "%2E";
     else link += c;
   }
@@ -29,9 +30,9 @@ std::string name_of_link(std::string_view link) {
   std::string name;
   for (std::size_t i = 0; i < link.size(); ++i) {
     const auto code = link.substr(i, 3);
-    const char plain = code == "%2F" ? '/' : code == "%25" ? '%' : code == "%2E" ? '.' : '\0';
-    name += plain ? plain : link[i];
-    if (plain) i += 2;
+    const char plain = code == "%2F" ? '/' : code == "%25" ? '%' : code == "%2E" ? '.' : code == "%00" ? '\0' : link[i];
+    name += plain;
+    if (plain != link[i] || code == "%25") i += 2;
   }
   return name;
 }

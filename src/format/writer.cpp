@@ -1,13 +1,14 @@
 #include "ritz/format/writer.hpp"
 
 #include <array>
-#include <cerrno>
-#include <cstring>
+#include <exception>
+#include <string>
 #include <system_error>
 
 #include "collective.hpp"
 #include "disk.hpp"
 #include "ritz/base/error.hpp"
+#include "ritz/files/failure.hpp"
 #include "write.hpp"
 
 namespace ritz::format {
@@ -33,13 +34,7 @@ ModelWriter::ModelWriter(Uncreated, std::filesystem::path path, Access access)
 
 ModelWriter::ModelWriter(std::filesystem::path path, Access access)
     : ModelWriter(Uncreated{}, std::move(path), std::move(access)) {
-  auto part = path_;
-  part += ".part";
-  const int mine = access_.writes_small ? try_create(path_, part) : 0;
-  if (const auto error = static_cast<int>(shared(access_, static_cast<std::uint64_t>(mine))))
-    throw InputError("cannot write " + path_.string() + ": " + std::strerror(error) +
-                     "; name an output in a folder that exists and can be written to");
-  part_ = std::move(part);
+  create_part();
   reserve_on_disk(room_for_records);  // before there is anything to close
 
   const Quiet quiet;
@@ -53,8 +48,32 @@ ModelWriter::ModelWriter(std::filesystem::path path, Access access)
   write_attribute(*this, "/", schema::version, std::array<std::int64_t, 2>{schema::major, schema::minor});
 }
 
+void ModelWriter::create_part() {
+  enum Outcome : std::uint64_t { fine, input, numerical };
+  std::uint64_t outcome = fine;
+  std::string text;
+  if (access_.writes_small) {
+    try {
+      text = part_file_.emplace(path_).part().string();
+    } catch (const InputError& error) {
+      outcome = input;
+      text = error.what();
+    } catch (const std::exception& error) {
+      outcome = numerical;
+      text = error.what();
+    }
+  }
+  outcome = shared(access_, outcome);
+  text = shared(access_, text);
+  if (outcome == input) throw InputError(text);
+  if (outcome == numerical) throw NumericalError(text);
+  part_ = text;
+}
+
 void ModelWriter::reserve_on_disk(std::uint64_t bytes) const {
-  agree(*this, !access_.writes_small || reserve(part_, bytes), "the next part");
+  on_writer(*this, [&] {
+    if (const int error = reserve(part_, bytes)) files::fail_to_write(path_, error);
+  });
 }
 
 void ModelWriter::make_room(std::uint64_t more) const {
@@ -72,15 +91,27 @@ ModelWriter::~ModelWriter() {
   const bool alone = vote(access_, false) == Vote::alone;  // and no rank closes before there is room
   if (alone) file_.release();
   else file_.close();
-  if (access_.writes_small || alone) std::filesystem::remove(part_, ignored);
+  if (alone) std::filesystem::remove(part_, ignored);
 }
 
-void ModelWriter::commit() {
+void ModelWriter::finish() {
+  if (!file_) return;
   const Quiet quiet;
   make_room(0);
   agree(*this, H5Fflush(file_.get(), H5F_SCOPE_GLOBAL) >= 0, "/");
   agree(*this, file_.close(), "/");
-  agree(*this, !access_.writes_small || publish(part_, path_), "/");
+  on_writer(*this, [&] {
+    release_room(part_);
+    part_file_->finish();
+  });
+}
+
+void ModelWriter::commit() {
+  finish();
+  on_writer(*this, [&] {
+    part_file_->publish();
+    link_beside(path_);
+  });
   part_.clear();
 }
 

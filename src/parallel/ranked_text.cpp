@@ -1,9 +1,10 @@
 #include "ritz/parallel/ranked_text.hpp"
 
 #include <array>
+#include <cerrno>
 #include <charconv>
 
-#include "ritz/base/error.hpp"
+#include "ritz/files/failure.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/parallel/guard.hpp"
 
@@ -49,13 +50,15 @@ void RankedText::end_part() {
 void RankedText::close() {
   on_root(comm_, [&] {
     flush();
+    errno = 0;
     file_.close();
-    if (!file_) throw NumericalError("cannot write " + path_.string() + ": is the disk full? Make room and run again");
+    if (!file_) files::fail_to_write(path_, error_ != 0 ? error_ : errno);
   });
 }
 
 void RankedText::flush() {
-  file_ << text_;
+  errno = 0;
+  if (!(file_ << text_ << std::flush) && error_ == 0) error_ = errno;
   text_.clear();
 }
 

@@ -36,6 +36,7 @@ class RankedText {
   MPI_Comm comm_;
   std::filesystem::path path_;
   std::ofstream file_;
+  int error_ = 0;  ///< errno of the first write that failed
   std::string text_;
 };
 

@@ -11,7 +11,7 @@ namespace ritz::format {
 
 using Extent = std::vector<hsize_t>;
 
-/// Throws std::runtime_error that asks for the disk.
+/// Throws NumericalError that says what the disk answered to HDF5's last call, unless that was good.
 void require_written(bool good);
 
 void write_attribute(hid_t object, const char* name, const std::string& text);

@@ -109,7 +109,7 @@ inline constexpr auto notes = "notes";
 std::string join(std::string_view parent, std::string_view child);
 /// "/bodies/BODY/PART", with BODY as a link name.
 std::string body_part(std::string_view body, std::string_view part);
-/// A name as a link: '/' and '%' become %2F and %25, a leading '.' %2E; the empty name is "%".
+/// A name as a link: '/', '%' and the zero byte become %2F, %25 and %00, a leading '.' %2E; the empty name is "%".
 std::string link_name(std::string_view name);
 /// The inverse of link_name.
 std::string name_of_link(std::string_view link);

@@ -3,8 +3,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 
 #include "ritz/base/vote.hpp"
+#include "ritz/files/part_file.hpp"
 #include "ritz/format/handle.hpp"
 
 namespace ritz::format {
@@ -21,22 +23,26 @@ struct Access {
   std::function<Vote(bool)> vote;
 };
 
-/// Writes FILE.part and renames it to FILE on commit: there is never half a model under the final name.
+/// Writes a part file of its own beside FILE and renames it to FILE on commit: there is never half a model under the
+/// final name.
 /// Every member and every write_* function is *Collective*: all ranks call it in the same order. A failure on one rank
 /// is thrown on all.
 class ModelWriter {
  public:
-  /// Creates PATH.part. Throws InputError when it cannot be created (no such folder, no permission).
+  /// Creates the part file. Throws, on all ranks alike, as files::PartFile does.
   explicit ModelWriter(std::filesystem::path path, Access access = {});
-  /// Removes PATH.part unless the model was committed. *Collective*; a rank whose peers are elsewhere, because it
+  /// Removes the part file unless the model was committed. *Collective*; a rank whose peers are elsewhere, because it
   /// failed alone, waits for them for seconds only, and leaves the file open, as closing it is collective.
   ~ModelWriter();
   ModelWriter(const ModelWriter&) = delete;
   ModelWriter& operator=(const ModelWriter&) = delete;
 
-  /// Flushes, closes, syncs to the disk, renames, and makes the link PATH with the ending .vtkhdf beside it (where the
-  /// file system can, and never in the place of a real file). Throws std::runtime_error when a write fails. Nothing
-  /// can be written afterwards.
+  /// Flushes, closes and syncs to the disk: all that a disk can refuse. Throws std::runtime_error when a write fails.
+  /// Nothing can be written afterwards.
+  void finish();
+
+  /// Finishes what is not finished yet, renames, and makes the link PATH with the ending .vtkhdf beside it (where the
+  /// file system can, and never in the place of a real file). Throws std::runtime_error.
   void commit();
 
   /// Takes disk space for `more` bytes and HDF5's records of them; throws std::runtime_error when there is none.
@@ -50,10 +56,12 @@ class ModelWriter {
   struct Uncreated {};
   /// Once this is done, the destructor runs whatever the public constructor throws.
   ModelWriter(Uncreated, std::filesystem::path path, Access access);
+  void create_part();
   void reserve_on_disk(std::uint64_t bytes) const;
 
   std::filesystem::path path_;
-  std::filesystem::path part_;  ///< empty before it is created and after it is committed
+  std::filesystem::path part_;                ///< on all ranks; empty before it is created and after it is committed
+  std::optional<files::PartFile> part_file_;  ///< of the rank that writes what is small
   Access access_;
   File file_;
 };
