@@ -5,6 +5,7 @@
 #include <new>
 
 #include "ritz/base/error.hpp"
+#include "ritz/files/interruption.hpp"
 #include "run.hpp"
 
 namespace {
@@ -20,6 +21,7 @@ int main(int argc, char** argv) {
   using namespace ritz;
   H5dont_atexit();                              // on a full disk HDF5 would try again at exit, and crash
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // one sentence of ours instead of HDF5's stack
+  files::watch_interruptions("ritz-run");
   try {
     const auto parsed = tools::parse_run_options(argc, argv);
     if (const auto* help = std::get_if<tools::Help>(&parsed)) std::cout << help->text;

@@ -12,6 +12,8 @@
 #include "ritz/base/counted.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/base/shown.hpp"
+#include "ritz/files/claim.hpp"
+#include "ritz/files/names.hpp"
 #include "ritz/format/parts.hpp"
 #include "ritz/scene/room.hpp"
 #include "ritz/scene/scene.hpp"
@@ -25,12 +27,21 @@
 namespace ritz::tools {
 namespace {
 
-void protect_inputs(const RunOptions& options) {
-  std::error_code none;
-  for (const auto& [option, output] : {std::pair{"--output ", options.output}, std::pair{"--timing ", options.timing}})
-    for (const auto& input : {options.model, options.scene})
-      if (std::filesystem::equivalent(input, output, none))
-        throw InputError(option + output.string() + " would overwrite an input: choose another name");
+enum class Tables { none, probes };
+
+/// Takes the names of all that the run will write.
+files::Claim claim(const RunOptions& options, Frames frames, Tables tables) {
+  const auto& output = options.output;
+  files::Plan plan{.outputs = {{"--output " + output.string(), output}},
+                   .inputs = {{"the model " + options.model.string(), options.model}}};
+  const auto beside = [&](const std::string& what, const std::filesystem::path& path) {
+    plan.outputs.push_back({what + " " + path.string() + " beside the output", path});
+  };
+  if (!options.scene.empty()) plan.inputs.push_back({"the scene " + options.scene.string(), options.scene});
+  if (frames == Frames::some) beside("the file", xdmf_path(output));
+  if (tables == Tables::probes) beside("the table", files::table_beside(output, "probes"));
+  if (!options.timing.empty()) plan.outputs.push_back({"--timing " + options.timing.string(), options.timing});
+  return files::Claim(std::move(plan));
 }
 
 MotionPlan plan_scene(const scene::Scene& scene, std::int64_t steps, const std::vector<std::int64_t>& frame_states,
@@ -82,7 +93,9 @@ void run_scene(const RunOptions& options, const format::ModelReader& in, std::os
   const scene::Scene scene = scene::read(options.scene);
   const std::int64_t steps = count_steps(scene);
   const std::int64_t frames = frame_count(options, steps);
-  const model::Body body = read_body(in, scene, frames == 0 ? Frames::none : Frames::some, options.forces);
+  const auto drawn = frames == 0 ? Frames::none : Frames::some;
+  const auto names = claim(options, drawn, scene.probes.empty() ? Tables::none : Tables::probes);
+  const model::Body body = read_body(in, scene, drawn, options.forces);
   refuse_rigid_motion(in, scene, body);
   scene::refuse_beyond_room({.steps = steps,
                              .frames = frames,
@@ -98,7 +111,7 @@ void run_scene(const RunOptions& options, const format::ModelReader& in, std::os
 
   if (const auto text = overdamped(scene.damping); !text.empty()) err << "ritz-run: warning: " << text << '\n';
   const Cost cost = run_analysis(options, scene, body, recorder);
-  recorder.commit();
+  recorder.commit(names);
   if (!cost.warning.empty()) err << "ritz-run: warning: " << cost.warning << '\n';
   if (options.voice == Voice::quiet) return;
   say_cost(cost, scene, body, out);
@@ -109,6 +122,7 @@ void run_scene(const RunOptions& options, const format::ModelReader& in, std::os
 }
 
 void animate(const RunOptions& options, const format::ModelReader& in, std::ostream& out) {
+  const auto names = claim(options, Frames::some, Tables::none);
   const std::int64_t index = *options.animate_mode - 1;
   const model::Body body = read_mode(in, index);
   const auto& kinds = body.modes->kinds;
@@ -128,7 +142,7 @@ void animate(const RunOptions& options, const format::ModelReader& in, std::ostr
     plan.frame_times.push_back(static_cast<double>(k) / static_cast<double>(states) / frequency);
   Recorder recorder(options.output, body, plan, frame_states);
   swing_mode(body, frequency, states, recorder);
-  recorder.commit();
+  recorder.commit(names);
   if (options.voice == Voice::quiet) return;
   out << "mode " << index + 1 << ", " << frequency << " Hz: " << states << " frames in " << options.output.string()
       << '\n';
@@ -138,7 +152,6 @@ void animate(const RunOptions& options, const format::ModelReader& in, std::ostr
 
 void run(const RunOptions& options, std::ostream& out, std::ostream& err) {
   const format::ModelReader in(options.model);
-  protect_inputs(options);
   if (options.animate_mode) animate(options, in, out);
   else run_scene(options, in, out, err);
 }

@@ -1,7 +1,5 @@
 #include "run_motion.hpp"
 
-#include <fstream>
-
 #include "ritz/base/error.hpp"
 #include "ritz/format/motion_dataset.hpp"
 #include "ritz/format/xdmf.hpp"
@@ -11,14 +9,14 @@ namespace {
 
 constexpr Eigen::Index states_at_once = 256;
 
+}  // namespace
+
 std::filesystem::path xdmf_path(std::filesystem::path path) {
   if (path.extension() == ".xdmf")
     throw InputError("--output " + path.string() +
                      " names the HDF5 file, beside which an .xdmf is written: end it in .h5");
   return path.replace_extension(".xdmf");
 }
-
-}  // namespace
 
 MotionWriter::MotionWriter(const std::filesystem::path& path, const model::Geometry& geometry, const MotionPlan& plan)
     : part_(path),
@@ -50,10 +48,7 @@ void MotionWriter::begin_frames(const model::Geometry& geometry, const MotionPla
   const format::XdmfSize size{.vertices = geometry.points.rows(),
                               .cells = static_cast<std::int64_t>(geometry.cells.vtk_types.size()),
                               .topology = static_cast<std::int64_t>(topology.size())};
-  std::ofstream out(xdmf_->part());
-  out << format::xdmf_text(part_.path().filename().string(), size, plan.frame_times);
-  out.close();
-  format::require_written(static_cast<bool>(out));
+  xdmf_->write(format::xdmf_text(part_.path().filename().string(), size, plan.frame_times));
 }
 
 void MotionWriter::state(double t, Eigen::Ref<const Eigen::VectorXd> z) {
@@ -76,12 +71,17 @@ void MotionWriter::frame(const model::Points& displacement) {
                       displacement.data());
 }
 
-void MotionWriter::commit() {
+void MotionWriter::finish() {
   flush_states();
   for (auto* dataset : {&times_, &z_, &displacement_}) format::require_written(dataset->close());
   format::require_written(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL) >= 0 && file_.close());
-  part_.commit();
-  if (xdmf_) xdmf_->commit();
+  part_.finish();
+  if (xdmf_) xdmf_->finish();
+}
+
+void MotionWriter::publish() {
+  if (xdmf_) xdmf_->publish();
+  part_.publish();
 }
 
 }  // namespace ritz::tools

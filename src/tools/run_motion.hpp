@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "part_file.hpp"
+#include "ritz/files/part_file.hpp"
 #include "ritz/format/handle.hpp"
 #include "ritz/model/model.hpp"
 
@@ -29,6 +29,9 @@ struct MotionPlan {
   std::string time_units;  ///< "s"; of load fractions "1"
 };
 
+/// The description of motion file `path`, beside it. Throws InputError where that is `path` itself.
+std::filesystem::path xdmf_path(std::filesystem::path path);
+
 class MotionWriter {
  public:
   /// Writes what does not move. Throws InputError when the files cannot be created or a cell has a type that XDMF does
@@ -39,15 +42,17 @@ class MotionWriter {
   void state(double t, Eigen::Ref<const Eigen::VectorXd> z);
   void frame(const model::Points& displacement);
 
-  /// Closes the files and gives them their names. Throws std::runtime_error when not all could be written.
-  void commit();
+  /// Closes the files and brings them to the disk. Throws NumericalError when not all could be written.
+  void finish();
+  /// Gives the files their names.
+  void publish();
 
  private:
   void begin_frames(const model::Geometry& geometry, const MotionPlan& plan);
   void flush_states();
 
-  PartFile part_;
-  std::optional<PartFile> xdmf_;
+  files::PartFile part_;
+  std::optional<files::PartFile> xdmf_;
   format::File file_;
   format::Dataset times_, z_, displacement_;
   Eigen::VectorXd pending_times_;  ///< states that are not written yet

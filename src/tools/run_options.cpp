@@ -25,12 +25,13 @@ void declare(CLI::App& app, RunOptions& options) {
       ->type_name("SCENE.toml");
   app.add_option("--output", options.output,
                  "Motion to write (default: motion.h5). Beside it stand an\n"
-                 ".xdmf for ParaView and, when the scene has probes,\nprobes.csv")
+                 ".xdmf for ParaView and, when the scene has probes, a\n"
+                 "table: OTHER.probes.csv of OTHER.h5, and probes.csv of\nmotion.h5")
       ->type_name("MOTION.h5");
   app.add_option("--animate-mode", options.animate_mode,
                  "Instead of a scene, swing mode I through one period, at\n"
-                 "a tenth of the body's size. I is the index of\n"
-                 "frequencies.csv: from 1, rigid modes counted too")
+                 "a tenth of the body's size. I is the index of the\n"
+                 "model's table of frequencies: from 1, rigid modes\ncounted too")
       ->type_name("I")
       ->check(at_least(1));
   app.add_option("--frames", options.frames,

@@ -1,10 +1,9 @@
 // probes.csv: t,NAME_ux,NAME_uy,NAME_uz,... with a row a state, 15 significant digits.
 #pragma once
 #include <Eigen/Core>
-#include <fstream>
 
-#include "part_file.hpp"
 #include "ritz/scene/scene.hpp"
+#include "run_table.hpp"
 
 namespace ritz::tools {
 
@@ -14,12 +13,10 @@ class ProbeWriter {
   ProbeWriter(const std::filesystem::path& path, const std::vector<scene::Probe>& probes, Eigen::MatrixXd matrix);
 
   void row(double t, Eigen::Ref<const Eigen::VectorXd> z);
-  /// Throws std::runtime_error when not all could be written.
-  void commit();
+  TableFile& table() { return table_; }
 
  private:
-  PartFile file_;
-  std::ofstream out_;
+  TableFile table_;
   Eigen::MatrixXd matrix_;
   Eigen::VectorXd values_;
 };

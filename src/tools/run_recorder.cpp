@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "ritz/files/interruption.hpp"
+#include "ritz/files/names.hpp"
 #include "ritz/runtime/reconstruction.hpp"
 
 namespace ritz::tools {
@@ -9,13 +11,13 @@ namespace ritz::tools {
 Recorder::Recorder(const std::filesystem::path& output, const model::Body& body, const MotionPlan& plan,
                    std::vector<std::int64_t> frame_states)
     : body_(body),
-      folder_(output.parent_path()),
+      output_(output),
       motion_(output, body.geometry, plan),
       frame_states_(std::move(frame_states)),
       displacement_(body.geometry.points.rows(), 3) {}
 
 void Recorder::add_probes(const std::vector<scene::Probe>& probes, Eigen::MatrixXd matrix) {
-  probes_.emplace(folder_ / "probes.csv", probes, std::move(matrix));
+  probes_.emplace(files::table_beside(output_, "probes"), probes, std::move(matrix));
 }
 
 void Recorder::add_timing(const std::filesystem::path& path) { timing_.emplace(path); }
@@ -40,10 +42,16 @@ void Recorder::cost(const StepCost& step) {
   if (timing_) timing_->row(step);
 }
 
-void Recorder::commit() {
-  motion_.commit();
-  if (probes_) probes_->commit();
-  if (timing_) timing_->commit();
+void Recorder::commit(const files::Claim& claim) {
+  motion_.finish();
+  if (probes_) probes_->table().finish();
+  if (timing_) timing_->table().finish();
+  claim.verify();
+  const files::Uninterrupted together;
+  if (probes_) probes_->table().publish();
+  if (timing_) timing_->table().publish();
+  motion_.publish();
+  claim.say_published();
 }
 
 }  // namespace ritz::tools

@@ -1,8 +1,9 @@
-// Everything that a run leaves behind: motion.h5, motion.xdmf, probes.csv, and the table of what its steps cost.
+// Everything that a run leaves behind: motion.h5, motion.xdmf, the tables of its probes and of what its steps cost.
 #pragma once
 #include <optional>
 #include <vector>
 
+#include "ritz/files/claim.hpp"
 #include "ritz/model/model.hpp"
 #include "run_motion.hpp"
 #include "run_probes.hpp"
@@ -17,7 +18,7 @@ class Recorder {
   Recorder(const std::filesystem::path& output, const model::Body& body, const MotionPlan& plan,
            std::vector<std::int64_t> frame_states);
 
-  /// Has probes.csv written too, in the output's folder.
+  /// Has the table of the probes written too, beside the output.
   void add_probes(const std::vector<scene::Probe>& probes, Eigen::MatrixXd matrix);
 
   /// Has the table of the steps' cost written too.
@@ -30,12 +31,12 @@ class Recorder {
   /// The displacements of the latest state, n x 3, m; of a body without vertices 0 x 3.
   const model::Points& latest();
 
-  /// Gives all files their names.
-  void commit();
+  /// Gives all files their names, which `claim` holds.
+  void commit(const files::Claim& claim);
 
  private:
   const model::Body& body_;
-  std::filesystem::path folder_;
+  std::filesystem::path output_;
   MotionWriter motion_;
   std::optional<ProbeWriter> probes_;
   std::optional<TimingWriter> timing_;

@@ -3,9 +3,8 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 
-#include "part_file.hpp"
+#include "run_table.hpp"
 
 namespace ritz::tools {
 
@@ -30,12 +29,10 @@ class TimingWriter {
   explicit TimingWriter(const std::filesystem::path& path);
 
   void row(const StepCost& step);
-  /// Throws std::runtime_error when not all could be written.
-  void commit();
+  TableFile& table() { return table_; }
 
  private:
-  PartFile file_;
-  std::ofstream out_;
+  TableFile table_;
 };
 
 }  // namespace ritz::tools

@@ -209,8 +209,13 @@ TEST(RunRefuses, OutputsThatCannotBe) {
   options.output = folder / "motion.h5";
   options.timing = options.model;
   expect_refusal(folder, options, "--timing");
+  for (const auto* beside : {"motion.h5", "motion.xdmf", "./motion.h5"}) {
+    options.timing = folder / beside;
+    expect_refusal(folder, options, "writes besides");
+  }
   options.timing = folder / "nowhere" / "timing.csv";
   expect_refusal(folder, options, "nowhere");
+  options.timing.clear();
   EXPECT_EQ(std::filesystem::file_size(options.model), size);
   options.output = folder / "nowhere/motion.h5";
   expect_refusal(folder, options, "there is no folder");
@@ -218,7 +223,12 @@ TEST(RunRefuses, OutputsThatCannotBe) {
   expect_refusal(folder, options, "end it in .h5");
   std::filesystem::create_directory(folder / "folder.h5");
   options.output = folder / "folder.h5";
-  expect_refusal(folder, options, "it is a folder");
+  expect_refusal(folder, options, "is a folder");
+  std::filesystem::create_symlink("elsewhere", folder / "link.h5");
+  options.output = folder / "link.h5";
+  expect_refusal(folder, options, "is a symbolic link");
+  options.output = "/dev/null";
+  expect_refusal(folder, options, "is a device");
 }
 
 TEST(RunRefuses, AndKeepsTheLastGoodMotion) {
