@@ -2,7 +2,6 @@
 
 #include <string>
 
-#include "ritz/app/pending_file.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/parallel/redistribute.hpp"
 #include "ritz/petsc/write_matrix.hpp"
@@ -24,20 +23,27 @@ std::vector<std::int64_t> numbers_in_file_order(const mesh::Mesh& mesh, const me
 
 }  // namespace
 
-void export_matrices(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
-                     const stages::Full& full, const petsc::Tall& modes) {
+std::vector<std::filesystem::path> exported_files(const config::Config& config) {
+  if (config.exported == config::Export::nothing) return {};
+  const std::string ending = config.exported == config::Export::matrixmarket ? ".mtx" : ".bin";
+  std::vector<std::filesystem::path> files;
+  for (const std::string name : {"_K", "_M", "_modes"})
+    files.push_back(config.output.parent_path() / (config.output.stem().string() + name + ending));
+  return files;
+}
+
+std::vector<PendingFile> export_matrices(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
+                                         const stages::Full& full, const petsc::Tall& modes) {
   const auto order = numbers_in_file_order(mesh, dofs);
   const auto format = config.exported == config::Export::matrixmarket ? petsc::MatrixFormat::matrixmarket
                                                                       : petsc::MatrixFormat::petsc_binary;
-  const std::string ending = format == petsc::MatrixFormat::matrixmarket ? ".mtx" : ".bin";
-  const auto file = [&](const std::string& name) {
-    return PendingFile(mesh.comm, config.output.parent_path() / (config.output.stem().string() + "_" + name + ending));
-  };
-  PendingFile stiffness = file("K"), mass = file("M"), columns = file("modes");
-  petsc::write_matrix(stiffness.part(), full.stiffness, order, format);
-  petsc::write_matrix(mass.part(), full.mass, order, format);
-  petsc::write_columns(columns.part(), mesh.comm, modes, order, format);
-  for (auto* written : {&stiffness, &mass, &columns}) written->publish();
+  std::vector<PendingFile> files;
+  for (const auto& path : exported_files(config)) files.emplace_back(mesh.comm, path);
+  petsc::write_matrix(files[0].part(), full.stiffness, order, format);
+  petsc::write_matrix(files[1].part(), full.mass, order, format);
+  petsc::write_columns(files[2].part(), mesh.comm, modes, order, format);
+  for (const auto& file : files) file.finish();
+  return files;
 }
 
 }  // namespace ritz::app

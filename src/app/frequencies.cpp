@@ -79,7 +79,7 @@ std::string summary(const model::Modes& modes, const model::Inertia& inertia) {
                    : "\n";
   }
   if (shown < modes.eigenvalues.size())
-    text += formatted("  ... %td more in frequencies.csv\n", modes.eigenvalues.size() - shown);
+    text += formatted("  ... %td more in the table of frequencies\n", modes.eigenvalues.size() - shown);
   if (moving)
     text +=
         formatted("   all modes                                    %6.2f %% %6.2f %6.2f\n",

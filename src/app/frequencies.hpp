@@ -1,4 +1,4 @@
-// The modes as a table: frequencies.csv and what is printed.
+// The modes as a table: a file and what is printed.
 #pragma once
 #include <string>
 

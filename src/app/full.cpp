@@ -90,8 +90,9 @@ void refuse_beyond_room(const config::Config& config, const scene::Scene& scene,
 void simulate(MPI_Comm comm, const config::Config& config) {
   Progress progress(comm, config.voice);
   const auto scene = read_full_scene(comm, config.full.scene);
-  refuse_outputs(comm, config);
+  const auto outputs = claim_motion(comm, config, scene);
   const auto mesh = progress.stage("mesh", [&] { return mesh::read(comm, config.source); });
+  outputs.refuse_inputs(mesh.files);
   const auto dofs = mesh::number(mesh, config.supports, config.file_supports);
   const auto materials = config::region_materials(config, mesh.regions);
   for (const auto& text : warnings(config, mesh, dofs, materials)) progress.warn(text);
@@ -118,7 +119,7 @@ void simulate(MPI_Comm comm, const config::Config& config) {
                ? run_dynamics(model, scene, start, steps, load, recorder, reached)
                : run_statics(model, scene, start, load, recorder, reached);
   });
-  progress.stage("write", [&] { recorder.commit(last, problem); });
+  progress.stage("write", [&] { recorder.commit(last, problem, outputs); });
   progress.line(std::to_string(steps) + " steps of " + std::to_string(dofs.total) + " degrees of freedom: " + summary +
                 "\n" + peak_memory_line(comm) + "\nwrote " + config.output.string());
 }

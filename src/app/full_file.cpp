@@ -6,7 +6,6 @@
 #include "ritz/format/xdmf.hpp"
 
 namespace ritz::app {
-namespace {
 
 std::filesystem::path xdmf_path(std::filesystem::path path) {
   if (path.extension() == ".xdmf")
@@ -15,18 +14,15 @@ std::filesystem::path xdmf_path(std::filesystem::path path) {
   return path.replace_extension(".xdmf");
 }
 
-}  // namespace
-
 FullFile::FullFile(const std::filesystem::path& path, const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials,
                    const FullPlan& plan)
     : comm_(mesh.comm),
       order_(file_order(mesh, materials, config::StoredRows::all)),
       part_(comm_, path),
-      xdmf_(comm_, xdmf_path(path)),
       frames_planned_(plan.frame_times.size()) {
   parallel::on_root(comm_, [&] {
     file_ = format::File(H5Fcreate(part_.part().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
-    if (!file_) throw InputError("cannot write " + path.string() + ": check its folder and the permissions");
+    format::require_written(static_cast<bool>(file_));
     format::write_attribute(file_.get(), "format", "ritz-motion 1");
     const auto states = static_cast<hsize_t>(plan.times.size());
     format::write_block(format::create_floats(file_.get(), "times", {states}, plan.time_units), {0}, {states},
@@ -62,7 +58,7 @@ void FullFile::begin_frames(const std::filesystem::path& path, const FullPlan& p
                                 .topology = static_cast<std::int64_t>(entries.size())};
     text = format::xdmf_text(path.filename().string(), size, plan.frame_times);
   });
-  xdmf_.write(text);
+  xdmf_.emplace(comm_, xdmf_path(path)).write(text);
 }
 
 void FullFile::write_vertices(const std::string& name, const parallel::RowMatrix& slice, const std::string& units) {
@@ -101,12 +97,17 @@ void FullFile::keep(const LastState& state, const std::string& problem_checksum)
   write_vertices("state/acceleration", order_.to_file(comm_, by_vertex(state.a)), "m/s2");
 }
 
-void FullFile::commit() {
+void FullFile::finish() {
   parallel::on_root(comm_, [&] {
     format::require_written(snapshots_.close() && H5Fflush(file_.get(), H5F_SCOPE_GLOBAL) >= 0 && file_.close());
   });
+  part_.finish();
+  if (xdmf_) xdmf_->finish();
+}
+
+void FullFile::publish() {
+  if (xdmf_) xdmf_->publish();
   part_.publish();
-  if (frames_planned_ > 0) xdmf_.publish();
 }
 
 }  // namespace ritz::app

@@ -9,7 +9,7 @@
 //                    t, kinetic, elastic, work, dissipated, start, kind (at_rest: of statics; moving) and
 //                    problem_checksum say when and of what
 // clang-format on
-// One rank writes, by slices in the mesh file's order. The file stands as full.h5.part until it is whole.
+// One rank writes, by slices in the mesh file's order.
 #pragma once
 #include <map>
 #include <optional>
@@ -37,6 +37,9 @@ struct LastState {
   petsc::Tall u, v, a;
 };
 
+/// The description of motion file `path`, beside it. Throws InputError where that is `path` itself.
+std::filesystem::path xdmf_path(std::filesystem::path path);
+
 class FullFile {
  public:
   /// Writes what does not move. Throws InputError when the files cannot be created. *Collective*.
@@ -49,8 +52,10 @@ class FullFile {
   /// *Collective*.
   void keep(const LastState& state, const std::string& problem_checksum);
 
-  /// Closes the files and gives them their names. *Collective*.
-  void commit();
+  /// Closes the files and brings them to the disk. *Collective*.
+  void finish();
+  /// Gives them their names. *Collective*.
+  void publish();
 
  private:
   void begin_frames(const std::filesystem::path& path, const FullPlan& plan);
@@ -58,7 +63,8 @@ class FullFile {
 
   MPI_Comm comm_;
   FileOrder order_;
-  PendingFile part_, xdmf_;
+  PendingFile part_;
+  std::optional<PendingFile> xdmf_;
   std::size_t frames_planned_, frames_ = 0;
   format::File file_;  ///< open on rank 0
   format::Dataset snapshots_;

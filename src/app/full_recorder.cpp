@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ritz/app/full_start.hpp"
+#include "ritz/files/names.hpp"
 
 namespace ritz::app {
 namespace {
@@ -32,9 +33,9 @@ FullRecorder::FullRecorder(const config::Config& config, const scene::Scene& sce
       probe_rows_(probes_.header() + "\n"),
       energy_rows_("t,kinetic,elastic,work,dissipated,drift\n"),
       frame_states_(std::move(frame_states)) {
-  const auto folder = config.output.parent_path();
-  if (kind_ == StateKind::moving) energy_file_.emplace(mesh.comm, folder / "energy.csv");
-  if (!scene.probes.empty()) probe_file_.emplace(mesh.comm, folder / "probes.csv");
+  const auto table = [&](const char* name) { return files::table_beside(config.output, name); };
+  if (kind_ == StateKind::moving) energy_file_.emplace(mesh.comm, table("energy"));
+  if (!scene.probes.empty()) probe_file_.emplace(mesh.comm, table("probes"));
   if (config.full.timing) timing_.emplace(mesh.comm, *config.full.timing);
 }
 
@@ -63,7 +64,8 @@ void FullRecorder::record(const stages::DynamicState& state) {
   ++state_;
 }
 
-void FullRecorder::commit(const stages::DynamicState& last, const std::string& problem_checksum) {
+void FullRecorder::commit(const stages::DynamicState& last, const std::string& problem_checksum,
+                          const Outputs& outputs) {
   const auto& e = last.energies;
   const auto whole = [&](const petsc::Tall& x) { return mesh::to_vertices(mesh_, dofs_, x); };
   file_.keep({.kind = kind_,
@@ -78,13 +80,20 @@ void FullRecorder::commit(const stages::DynamicState& last, const std::string& p
               .v = whole(last.v),
               .a = whole(last.a)},
              problem_checksum);
-  if (energy_file_) energy_file_->write(energy_rows_);
-  if (probe_file_) probe_file_->write(probe_rows_);
-  if (timing_) timing_->write();
-  file_.commit();
-  if (energy_file_) energy_file_->publish();
-  if (probe_file_) probe_file_->publish();
-  if (timing_) timing_->publish();
+  const auto write = [](PendingFile& file, const std::string& rows) {
+    file.write(rows);
+    file.finish();
+  };
+  if (energy_file_) write(*energy_file_, energy_rows_);
+  if (probe_file_) write(*probe_file_, probe_rows_);
+  if (timing_) timing_->finish();
+  file_.finish();
+  outputs.publish([&] {
+    if (energy_file_) energy_file_->publish();
+    if (probe_file_) probe_file_->publish();
+    if (timing_) timing_->publish();
+    file_.publish();
+  });
 }
 
 }  // namespace ritz::app

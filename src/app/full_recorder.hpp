@@ -1,8 +1,9 @@
-// Everything that a run of ritz-full leaves behind: full.h5, full.xdmf, probes.csv and, of a motion, energy.csv; what
-// its steps cost, when asked.
+// Everything that a run of ritz-full leaves behind: full.h5, full.xdmf, the tables of its probes and, of a motion, of
+// its energy; what its steps cost, when asked.
 #pragma once
 #include "ritz/app/full_file.hpp"
 #include "ritz/app/full_timing.hpp"
+#include "ritz/app/outputs.hpp"
 #include "ritz/app/scene_loads.hpp"
 #include "ritz/stages/full_dynamics.hpp"
 
@@ -20,8 +21,8 @@ class FullRecorder {
   /// The state that a step ends with. *Collective*.
   void step(const stages::DynamicState& state, const Effort& so_far);
 
-  /// Stores `last` for a restart and gives all files their names. *Collective*.
-  void commit(const stages::DynamicState& last, const std::string& problem_checksum);
+  /// Stores `last` for a restart and gives all files their names, which `outputs` holds. *Collective*.
+  void commit(const stages::DynamicState& last, const std::string& problem_checksum, const Outputs& outputs);
 
  private:
   void record(const stages::DynamicState& state);

@@ -16,4 +16,9 @@ void FullTiming::end_step(double t, const Effort& so_far) {
   before_ = so_far;
 }
 
+void FullTiming::finish() const {
+  file_.write(rows_);
+  file_.finish();
+}
+
 }  // namespace ritz::app

@@ -22,8 +22,8 @@ class FullTiming {
   /// `t` of the state reached, s (statics: the load fraction).
   void end_step(double t, const Effort& so_far);
 
-  void write() const { file_.write(rows_); }  ///< *Collective*.
-  void publish() { file_.publish(); }         ///< *Collective*.
+  void finish() const;                 ///< Writes the table. *Collective*.
+  void publish() { file_.publish(); }  ///< *Collective*.
 
  private:
   PendingFile file_;

@@ -2,13 +2,13 @@
 
 #include <hdf5.h>
 
-#include <csignal>
 #include <cstdio>
 #include <new>
 
 #include "ritz/base/error.hpp"
 #include "ritz/config/command_line.hpp"
 #include "ritz/config/option_table.hpp"
+#include "ritz/files/interruption.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/petsc/session.hpp"
 
@@ -29,7 +29,7 @@ int answer(MPI_Comm comm, const std::string& program, const char* message, int c
 }  // namespace
 
 int guarded(MPI_Comm comm, const std::string& program, const std::function<void()>& work) {
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is a write that fails, as on a full disk
+  files::watch_interruptions(program);
   try {
     work();
     MPI_Barrier(comm);
@@ -56,7 +56,9 @@ int run_program(int argc, char** argv, config::Program program,
       return;
     }
     petsc::take_blas_memory();
-    work(session.comm(), config::read_config(session.comm(), program));
+    auto config = config::read_config(session.comm(), program);
+    config.option_files = config::option_files(argc, argv);
+    work(session.comm(), config);
   });
 }
 

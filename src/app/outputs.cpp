@@ -1,8 +1,11 @@
 #include "ritz/app/outputs.hpp"
 
-#include <unistd.h>
+#include <utility>
 
-#include "ritz/base/error.hpp"
+#include "ritz/app/export.hpp"
+#include "ritz/app/full_file.hpp"
+#include "ritz/files/interruption.hpp"
+#include "ritz/files/names.hpp"
 #include "ritz/parallel/guard.hpp"
 
 namespace ritz::app {
@@ -10,45 +13,66 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<fs::path> inputs(const config::Config& config) {
-  std::vector<fs::path> files = config.source.vertex_lists;
-  if (const auto* mesh = std::get_if<fs::path>(&config.source.mesh)) files.push_back(*mesh);
-  if (config.accuracy) files.push_back(config.accuracy->scene);
-  if (config.snapshots) files.push_back(*config.snapshots);
-  files.push_back(config.full.scene);
-  return files;
+files::Named of_option(const std::string& option, const fs::path& path) {
+  return {"option -" + option + " " + path.string(), path};
 }
 
-void refuse(const std::string& option, const fs::path& path, const std::vector<fs::path>& read) {
-  const std::string given = "option -" + option + " " + path.string();
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
-  if (!fs::is_directory(folder)) throw InputError(given + ": there is no folder " + folder.string());
-  if (fs::is_directory(path)) throw InputError(given + " is a folder; name a file in it");
-  if (access(folder.c_str(), W_OK) != 0)
-    throw InputError(given + ": the folder " + folder.string() + " cannot be written to");
-  std::error_code none;
-  for (const auto& input : read)
-    if (fs::equivalent(input, path, none)) throw InputError(given + " would overwrite an input: choose another name");
+files::Named beside(const std::string& what, const fs::path& path) {
+  return {what + " " + path.string() + " beside the output", path};
 }
 
-void refuse_twice(const fs::path& timing, const fs::path& output) {
-  const fs::path folder = output.parent_path(), xdmf = fs::path(output).replace_extension(".xdmf");
-  for (const auto& other : {output, xdmf, folder / "probes.csv", folder / "energy.csv"})
-    if (fs::absolute(timing).lexically_normal() == fs::absolute(other).lexically_normal())
-      throw InputError("option -timing " + timing.string() +
-                       " is a file that the run writes besides: choose another name");
+/// What both programs read; the output first of what they write.
+files::Plan common(const config::Config& config) {
+  files::Plan plan{.outputs = {of_option("output", config.output)}};
+  if (const auto* mesh = std::get_if<fs::path>(&config.source.mesh)) plan.inputs.push_back(of_option("mesh", *mesh));
+  for (const auto& list : config.source.vertex_lists) plan.inputs.push_back(of_option("fix", list));
+  for (const auto& file : config.option_files) plan.inputs.push_back(of_option("options_file", file));
+  return plan;
 }
 
 }  // namespace
 
-void refuse_outputs(MPI_Comm comm, const config::Config& config) {
-  parallel::on_root(comm, [&] {
-    const auto read = inputs(config);
-    refuse("output", config.output, read);
-    if (!config.full.timing) return;
-    refuse("timing", *config.full.timing, read);
-    refuse_twice(*config.full.timing, config.output);
+Outputs::Outputs(MPI_Comm comm, const files::Plan& plan) : comm_(comm) {
+  parallel::on_root(comm, [&] { claim_.emplace(plan); });
+}
+
+void Outputs::refuse_inputs(const std::vector<fs::path>& read) const {
+  parallel::on_root(comm_, [&] {
+    std::vector<files::Named> inputs;
+    for (const auto& file : read) inputs.push_back({"the file " + file.string() + " of the mesh", file});
+    claim_->refuse(inputs);
   });
+}
+
+void Outputs::publish(const std::function<void()>& give_names) const {
+  parallel::on_root(comm_, [&] { claim_->verify(); });
+  const files::Uninterrupted together;
+  give_names();
+  if (claim_) claim_->say_published();
+}
+
+Outputs claim_model(MPI_Comm comm, const config::Config& config) {
+  auto plan = common(config);
+  if (config.accuracy) plan.inputs.push_back(of_option("accuracy_scene", config.accuracy->scene));
+  if (config.snapshots) plan.inputs.push_back(of_option("snapshots", *config.snapshots));
+  if (config.reuse) plan.replaceable.push_back(of_option("reuse", *config.reuse));
+  plan.outputs.push_back(beside("the table", files::table_beside(config.output, "frequencies")));
+  for (const auto& file : exported_files(config)) plan.outputs.push_back(beside("the matrix", file));
+  if (const auto link = fs::path(config.output).replace_extension(".vtkhdf"); link != config.output)
+    plan.links.push_back(beside("the link", link));
+  return {comm, plan};
+}
+
+Outputs claim_motion(MPI_Comm comm, const config::Config& config, const scene::Scene& scene) {
+  auto plan = common(config);
+  plan.inputs.push_back(of_option("scene", config.full.scene));
+  if (config.full.restart) plan.replaceable.push_back(of_option("restart", *config.full.restart));
+  if (config.full.frames.value_or(1) > 0) plan.outputs.push_back(beside("the file", xdmf_path(config.output)));
+  if (std::holds_alternative<scene::Time>(scene.analysis))
+    plan.outputs.push_back(beside("the table", files::table_beside(config.output, "energy")));
+  if (!scene.probes.empty()) plan.outputs.push_back(beside("the table", files::table_beside(config.output, "probes")));
+  if (config.full.timing) plan.outputs.push_back(of_option("timing", *config.full.timing));
+  return {comm, plan};
 }
 
 }  // namespace ritz::app

@@ -45,9 +45,10 @@ void refuse_an_empty_model(const config::Config& config, const mesh::Mesh& mesh,
 
 void reduce(MPI_Comm comm, const config::Config& config) {
   Progress progress(comm, config.voice);
-  if (config.goal == config::Goal::model) refuse_outputs(comm, config);
+  const auto outputs = config.goal == config::Goal::model ? std::optional(claim_model(comm, config)) : std::nullopt;
   const auto scene = config.accuracy ? std::optional(read_scene(comm, config.accuracy->scene)) : std::nullopt;
   const auto mesh = progress.stage("mesh", [&] { return mesh::read(comm, config.source); });
+  if (outputs) outputs->refuse_inputs(mesh.files);
   const auto dofs = mesh::number(mesh, config.supports, config.file_supports);
   const auto materials = config::region_materials(config, mesh.regions);
   progress.line(mesh_line(mesh, dofs));
@@ -76,15 +77,16 @@ void reduce(MPI_Comm comm, const config::Config& config) {
   const auto polynomial = reduce_forces(config, mesh, dofs, full, u, progress);
   const auto inertia = progress.stage("inertia", [&] { return stages::inertia(mesh, full.scalar_mass, u); });
   const auto loads = progress.stage("loads", [&] { return stages::set_loads(mesh, u); });
+  std::vector<PendingFile> exported;
   if (config.exported != config::Export::nothing)
-    progress.stage("export", [&] { export_matrices(config, mesh, dofs, full, modes.vectors); });
+    progress.stage("export", [&] { exported = export_matrices(config, mesh, dofs, full, modes.vectors); });
 
   progress.stage("write", [&] {
     const auto order = file_order(mesh, materials, config.rows);
     auto figures = reduced.figures;
     figures.insert(figures.end(), polynomial.witness.begin(), polynomial.witness.end());
     write_model(config, mesh, dofs, materials, order,
-                {modes, u, reduced.reduction, polynomial.value, inertia, loads, figures}, progress);
+                {modes, u, reduced.reduction, polynomial.value, inertia, loads, figures}, progress, *outputs, exported);
   });
   const auto of_modes = stages::inertia(mesh, full.scalar_mass, mesh::to_vertices(mesh, dofs, modes.vectors));
   progress.line(size_line(extent(mesh, materials), modes.modes) + "\n" + summary(modes.modes, of_modes) +

@@ -6,11 +6,11 @@
 
 #include "ritz/app/checksums.hpp"
 #include "ritz/app/frequencies.hpp"
-#include "ritz/app/pending_file.hpp"
 #include "ritz/app/resolved.hpp"
 #include "ritz/app/resources.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/base/version.hpp"
+#include "ritz/files/names.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/parallel/guard.hpp"
 
@@ -80,7 +80,7 @@ void write_columns(format::ModelWriter& out, MPI_Comm comm, const FileOrder& ord
 
 void write_model(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
                  const std::vector<fem::StVK>& materials, const FileOrder& order, const Results& results,
-                 const Progress& progress) {
+                 const Progress& progress, const Outputs& outputs, std::vector<PendingFile>& exported) {
   const ParallelAccess access(mesh.comm);
   format::ModelWriter out(config.output, access.access);
   format::write_provenance(out, provenance(config, mesh, dofs, materials, results.modes.strategy));
@@ -92,10 +92,15 @@ void write_model(const config::Config& config, const mesh::Mesh& mesh, const mes
   format::write_inertia(out, results.inertia);
   format::write_loads(out, results.loads);
   format::write_report(out, report(mesh, dofs, results, progress));
-  PendingFile table(mesh.comm, config.output.parent_path() / "frequencies.csv");
+  PendingFile table(mesh.comm, files::table_beside(config.output, "frequencies"));
   table.write(frequencies_csv(results.modes.modes));
-  out.commit();
-  table.publish();
+  table.finish();
+  out.finish();
+  outputs.publish([&] {
+    for (auto& file : exported) file.publish();
+    table.publish();
+    out.commit();
+  });
 }
 
 }  // namespace ritz::app

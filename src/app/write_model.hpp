@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "ritz/app/geometry.hpp"
+#include "ritz/app/outputs.hpp"
+#include "ritz/app/pending_file.hpp"
 #include "ritz/app/progress.hpp"
 #include "ritz/stages/linear_modes.hpp"
 #include "ritz/stages/witness.hpp"
@@ -21,9 +23,10 @@ struct Results {
   const stages::Figures& figures;
 };
 
-/// Writes the model and, beside it, frequencies.csv. *Collective*.
+/// Writes the model and, beside it, the table of its frequencies; gives them and what was exported their names.
+/// *Collective*.
 void write_model(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
                  const std::vector<fem::StVK>& materials, const FileOrder& order, const Results& results,
-                 const Progress& progress);
+                 const Progress& progress, const Outputs& outputs, std::vector<PendingFile>& exported);
 
 }  // namespace ritz::app

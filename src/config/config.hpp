@@ -69,6 +69,7 @@ struct Config {
   Voice voice = Voice::normal;
   Export exported = Export::nothing;
   std::filesystem::path output = "model.h5";
+  std::vector<std::filesystem::path> option_files;  ///< that the command line names
   FullOptions full;
   std::vector<std::pair<std::string, std::string>> resolved;  ///< every option as read or by default
 };

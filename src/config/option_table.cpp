@@ -47,7 +47,7 @@ constexpr std::array entries = std::to_array<OptionEntry>({
     {"surface_only", "", "", "off", "store only the rows of U on the surface"},
     {"export", "matrixmarket | petsc", "", "none", "write K, M and the modes beside the model, in the file's order"},
     {"output", "FILE.h5", "", "model.h5",
-     "the model (ritz-full: the motion, by default full.h5); tables in .csv stand in the same folder"},
+     "the model (ritz-full: the motion, by default full.h5); its tables stand beside it and are named after it"},
     {"plan", "", "", "off", "print the stages, their memory and time, and stop"},
     {"quiet", "", "", "off", "print only warnings and errors"},
     {"options_file", "FILE", "", "none",
@@ -108,7 +108,8 @@ constexpr std::string_view reduce_text =
 constexpr std::string_view full_text =
     "Moves a finite element mesh as a scene says, unreduced: statics, or the integrators avf (the default), newmark\n"
     "and implicit-euler. Writes one HDF5 file of frames, snapshots and the last state, an .xdmf for ParaView,\n"
-    "probes.csv and energy.csv. Of the options below it looks at those for the mesh, units, supports, materials, the\n"
+    "and tables of probes and energy. Of the options below it looks at those for the mesh, units, supports, materials, "
+    "the\n"
     "solver, the output and those marked ritz-full; the others are ritz-reduce's and have no effect here.\n";
 
 }  // namespace

@@ -69,6 +69,7 @@ struct FileMesh {
   std::vector<NamedSet> sets;
   std::vector<FileSupport> supports;
   std::vector<std::string> notes;  ///< what a careful user is told of the file: a sentence each, with file and line
+  std::vector<std::filesystem::path> files;  ///< all that were read: the mesh file, and what it includes
 };
 
 /// Keywords, element types and sections of a file that change the physics, that ritz cannot do, and that the user says

@@ -77,8 +77,9 @@ struct Mesh {
   std::vector<CellFace> boundary;  ///< boundary faces of owned cells
   std::vector<Region> regions;     ///< materials in SI
   std::vector<Set> sets;
-  std::vector<Support> supports;   ///< those that the file states
-  std::vector<std::string> notes;  ///< what a careful user is told of the file
+  std::vector<Support> supports;             ///< those that the file states
+  std::vector<std::string> notes;            ///< what a careful user is told of the file
+  std::vector<std::filesystem::path> files;  ///< rank 0: all that were read
 
   int pieces = 0;      ///< parts connected through faces: rigid bodies of a mechanism
   int components = 0;  ///< parts connected at all

@@ -25,14 +25,20 @@ FileMesh read_whole(const Source& source, const std::filesystem::path& path, Ind
   return mesh;
 }
 
-std::pair<Part, Shared> parts_of_file(MPI_Comm comm, const Source& source, const std::filesystem::path& path) {
+struct FileParts {
+  Part part;
+  Shared shared;
+  std::vector<std::filesystem::path> files;
+};
+
+FileParts parts_of_file(MPI_Comm comm, const Source& source, const std::filesystem::path& path) {
   FileMesh mesh;
   Index dropped = 0;
   parallel::on_root(comm, [&] { mesh = read_whole(source, path, dropped); });
   auto [part, shared] = distribute(comm, mesh, source.partitioner);
   MPI_Bcast(&dropped, 1, MPI_INT64_T, 0, comm);
   shared.dropped_vertices = dropped;
-  return {std::move(part), std::move(shared)};
+  return {std::move(part), std::move(shared), std::move(mesh.files)};
 }
 
 }  // namespace
@@ -48,8 +54,9 @@ Mesh read(MPI_Comm comm, const Source& source) {
     auto [part, shared] = make_box(comm, si);
     mesh = number_part(comm, std::move(part), std::move(shared));
   } else {
-    auto [part, shared] = parts_of_file(comm, source, std::get<std::filesystem::path>(source.mesh));
+    auto [part, shared, files] = parts_of_file(comm, source, std::get<std::filesystem::path>(source.mesh));
     mesh = number_part(comm, std::move(part), std::move(shared));
+    mesh.files = std::move(files);
   }
   refuse_inverted_cells(mesh);
   return mesh;

@@ -25,7 +25,9 @@ Reader reader_of(const std::filesystem::path& path) {
 FileMesh read_file(const std::filesystem::path& path, const Ignored& ignored) {
   const auto reader = reader_of(path);
   Sources sources;
-  return reader(sources, open(sources, path), ignored);
+  auto mesh = reader(sources, open(sources, path), ignored);
+  for (const auto& source : sources) mesh.files.push_back(source.path);
+  return mesh;
 }
 
 }  // namespace ritz::mesh

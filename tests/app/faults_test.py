@@ -81,7 +81,7 @@ class Killed(Faulty):
 
     def half_a_file(self, process):
         self.await_line(process, "loads")
-        self.assertTrue(await_that((self.folder / "model.h5.part").exists))
+        self.assertTrue(await_that(lambda: list(self.folder.glob("model.h5.*.part"))))
 
     def test_a_rank_dies_in_any_stage_and_a_new_start_gives_the_same(self):
         waits = {"mesh": lambda process: None}

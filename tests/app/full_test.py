@@ -106,9 +106,9 @@ class Files(Full):
     def test_statics_and_a_release(self):
         pull = '[static]\nsteps = 2\n[[load]]\nset = "xmax"\ntotal = [0, 3, 5]\n[[probe]]\nname = "tip"\nset = "xmax"\n'
         self.full(*BEAM, *self.scene("pull.toml", text=pull), "-output", "pulled.h5")
-        self.assertEqual(self.files(), {"pull.toml", "pulled.h5", "pulled.xdmf", "probes.csv"})
+        self.assertEqual(self.files(), {"pull.toml", "pulled.h5", "pulled.xdmf", "pulled.probes.csv"})
         pulled = self.motion("pulled.h5")["state/displacement"][:]
-        np.testing.assert_array_equal(self.table("probes.csv")[1][:, 0], [0, .5, 1])
+        np.testing.assert_array_equal(self.table("pulled.probes.csv")[1][:, 0], [0, .5, 1])
         self.full(*BEAM, *self.scene("let_go.toml", text="[time]\nstep = 0.01\nend = 0.2\n"), "-restart", "pulled.h5")
         file = self.motion()
         np.testing.assert_array_equal(file["displacement"][0], pulled)

@@ -7,8 +7,8 @@ TIME = "[time]\nstep = 0.01\nend = 0.02\n"
 LOAD = '[[load]]\nset = "xmax"\ntotal = [0, 0, 1]\n'
 
 
-def bad(name, scene, *says, words=(), code=2):
-    return Case(f"ritz-full: {name}", [*WORDS, "-scene", "scene.toml", *words], says, {"scene.toml": scene},
+def bad(name, scene, *says, words=(), files=(), code=2):
+    return Case(f"ritz-full: {name}", [*WORDS, "-scene", "scene.toml", *words], says, {"scene.toml": scene, **dict(files)},
                 "ritz-full", code=code)
 
 
@@ -41,6 +41,17 @@ CASES = [
     bad("a timing over its scene", TIME + LOAD, "-timing scene.toml", "overwrite", words=["-timing", "scene.toml"]),
     bad("a timing over its energies", TIME + LOAD, "-timing energy.csv", "writes", words=["-timing", "energy.csv"]),
     bad("a timing over its motion", TIME + LOAD, "-timing ./full.h5", "writes", words=["-timing", "./full.h5"]),
+    bad("a timing over its description", TIME + LOAD, "-timing full.xdmf", "writes", words=["-timing", "full.xdmf"]),
+    bad("a timing over another output's energies", TIME + LOAD, "-timing a.energy.csv", "writes",
+        words=["-timing", "a.energy.csv", "-output", "a.h5"]),
+    bad("a restart over whose file the timing goes", TIME + LOAD, "-timing a.h5", "-restart a.h5",
+        words=["-timing", "a.h5", "-restart", "a.h5"], files={"a.h5": "1"}),
+    bad("a table over its scene", TIME + LOAD, "energy.csv", "overwrite", words=["-scene", "energy.csv"],
+        files={"energy.csv": TIME + LOAD}),
+    bad("an output to a device", TIME + LOAD, "a device", words=["-output", "/dev/null"]),
+    bad("a timing to a link", TIME + LOAD, "-timing a", "a symbolic link", words=["-timing", "a"],
+        files={"a": lambda path: path.symlink_to("b")}),
+    bad("a table where a folder stands", TIME + LOAD, "energy.csv", "is a folder", files={"energy.csv/kept": "1"}),
     bad("a timing in a folder that is not there", TIME + LOAD, "-timing a/b.csv", words=["-timing", "a/b.csv"]),
     bad("a restart from nothing", TIME + LOAD, "-restart none.h5", words=["-restart", "none.h5"]),
     bad("a restart from a scene", TIME + LOAD, "-restart scene.toml", words=["-restart", "scene.toml"]),

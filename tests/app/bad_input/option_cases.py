@@ -1,4 +1,6 @@
 """Options that are misspelt, of the wrong kind, impossible, or at odds with the mesh."""
+import os
+
 from mesh_cases import OUTPUTS
 from meshes import INP, MSH2, VEG
 from runner import Case
@@ -145,6 +147,25 @@ OUTPUT = [
     bad("an output over a snapshot file", "-output a.npy -snapshots a.npy -basis 2", "-output a.npy", "overwrite",
         files={"a.npy": "1"}),
     bad("an output through a file", "-output a/model.h5", "-output a/model.h5", files={"a": "1"}),
+    bad("an output to a device", "-output /dev/null", "-output /dev/null", "a device"),
+    bad("an output to a named pipe", "-output a", "-output a", "a named pipe", files={"a": os.mkfifo}),
+    bad("an output to a link", "-output a", "-output a", "a symbolic link",
+        files={"b": "1", "a": lambda path: path.symlink_to("b")}),
+    bad("an output to a link to nothing", "-output a", "-output a", "a symbolic link",
+        files={"a": lambda path: path.symlink_to("b")}),
+    bad("a table where a folder stands", "-output a.h5", "a.frequencies.csv", "is a folder",
+        files={"a.frequencies.csv/kept": "1"}),
+    bad("a matrix where a folder stands", "-export petsc", "model_M.bin", "is a folder", files={"model_M.bin/kept": "1"}),
+    bad("an output of another name of its snapshots", "-output b -snapshots a.npy -basis 2", "overwrite", "-snapshots",
+        files={"a.npy": "1", "b": lambda path: path.hardlink_to(path.parent / "a.npy")}),
+    bad("an output over its options", "-output a.opts -options_file a.opts", "-output a.opts", "overwrite",
+        files={"a.opts": "-modes 3\n"}),
+    bad("an output over what its mesh includes", "-mesh a.inp -output b.inp", "b.inp", "overwrite",
+        files={"a.inp": "*INCLUDE, INPUT=b.inp\n", "b.inp": INP}),
+    bad("a table over its mesh", "-mesh a.frequencies.csv -output a.h5", "a.frequencies.csv", "overwrite",
+        files={"a.frequencies.csv": INP}),
+    bad("an output whose name is too long", f"-output {250 * 'a'}.h5", "the name is too long"),
+    bad("an output whose table's name is too long", f"-output {250 * 'a'}", "the name is too long"),
     bad("an output in a place that takes no files", "-output /proc/model.h5", "/proc/model.h5"),
     bad("an earlier output", "-fix xmni", "-fix xmni", files={"model.h5": "earlier", "frequencies.csv": "earlier"}),
 ]
