@@ -12,6 +12,7 @@ if(RITZ_PRECOMPUTE)
   pkg_check_modules(MPI_C REQUIRED IMPORTED_TARGET GLOBAL ompi-c)
   # The options that Debian compiled PETSc with are its own; ritz has its settings.
   set_target_properties(PkgConfig::PETSC PkgConfig::SLEPC PROPERTIES INTERFACE_COMPILE_OPTIONS "")
+  pkg_check_modules(YAML REQUIRED IMPORTED_TARGET GLOBAL yaml-0.1)
   find_package(BLAS REQUIRED)
   find_package(pugixml REQUIRED)
   find_package(ZLIB REQUIRED)

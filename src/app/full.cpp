@@ -91,6 +91,8 @@ void simulate(MPI_Comm comm, const config::Config& config) {
   Progress progress(comm, config.voice);
   const auto scene = read_full_scene(comm, config.full.scene);
   const auto outputs = claim_motion(comm, config, scene);
+  refuse_reports(comm, config);
+  for (const auto& text : config.warnings) progress.warn(text);
   const auto mesh = progress.stage("mesh", [&] { return mesh::read(comm, config.source); });
   outputs.refuse_inputs(mesh.files);
   const auto dofs = mesh::number(mesh, config.supports, config.file_supports);

@@ -10,6 +10,7 @@
 #include "ritz/config/option_table.hpp"
 #include "ritz/files/interruption.hpp"
 #include "ritz/parallel/comm.hpp"
+#include "ritz/petsc/options.hpp"
 #include "ritz/petsc/session.hpp"
 
 namespace ritz::app {
@@ -48,18 +49,23 @@ int run_program(int argc, char** argv, config::Program program,
   const std::string name = program == config::Program::full ? "ritz-full" : "ritz-reduce";
   H5dont_atexit();                              // HDF5 crashes there after a write that failed
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // one sentence of ours instead of HDF5's stack
-  const petsc::Session session(argc, argv);
-  return guarded(session.comm(), name, [&] {
-    const auto asked = config::read_command_line(session.comm(), argc, argv);
-    if (asked == config::Asked::help) {
+  const petsc::Session session(argv[0]);
+  const int code = guarded(session.comm(), name, [&] {
+    const auto line = config::read_command_line(session.comm(), argc, argv);
+    if (line.asked == config::Asked::help) {
       if (parallel::rank(session.comm()) == 0) std::fputs(config::help_text(name).c_str(), stdout);
       return;
     }
     petsc::take_blas_memory();
-    auto config = config::read_config(session.comm(), program);
+    auto config = config::read_config(session.comm(), line.given, program);
+    for (const auto& source : session.unread())
+      config.warnings.push_back("options of PETSc's own in " + source +
+                                " are not read; name a file by -options_file, or delete it");
     config.option_files = config::option_files(argc, argv);
     work(session.comm(), config);
   });
+  if (code == exit_input) petsc::clear_option("log_view");
+  return code;
 }
 
 }  // namespace ritz::app

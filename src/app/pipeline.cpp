@@ -46,6 +46,8 @@ void refuse_an_empty_model(const config::Config& config, const mesh::Mesh& mesh,
 void reduce(MPI_Comm comm, const config::Config& config) {
   Progress progress(comm, config.voice);
   const auto outputs = config.goal == config::Goal::model ? std::optional(claim_model(comm, config)) : std::nullopt;
+  refuse_reports(comm, config);
+  for (const auto& text : config.warnings) progress.warn(text);
   const auto scene = config.accuracy ? std::optional(read_scene(comm, config.accuracy->scene)) : std::nullopt;
   const auto mesh = progress.stage("mesh", [&] { return mesh::read(comm, config.source); });
   if (outputs) outputs->refuse_inputs(mesh.files);

@@ -1,37 +1,71 @@
 #include "ritz/config/command_line.hpp"
 
-#include <cctype>
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <ranges>
 #include <string>
 
 #include "ritz/base/error.hpp"
-#include "ritz/petsc/options.hpp"
+#include "ritz/base/regular_file.hpp"
+#include "ritz/config/options_text.hpp"
+#include "ritz/parallel/comm.hpp"
+#include "ritz/parallel/guard.hpp"
 
 namespace ritz::config {
 namespace {
 
-/// PETSc's own rule: a dash and then no digit.
-bool is_option(const std::string& word) {
-  return word.size() > 1 && word[0] == '-' && !std::isdigit(static_cast<unsigned char>(word[1])) && word[1] != '.';
+constexpr std::uintmax_t most_bytes = 64 << 20;  ///< of an options file
+
+std::string text_of(const std::filesystem::path& file) {
+  const std::string given = "option -options_file " + file.string();
+  refuse_irregular(file, given);
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw InputError(given + ": no such file, or it cannot be read");
+  if (std::filesystem::file_size(file) > most_bytes) throw InputError(given + ": that is too large for options");
+  std::string text(std::istreambuf_iterator<char>(in), {});
+  if (text.find('\0') != text.npos) throw InputError(given + ": that is no text, for it holds a zero byte");
+  return text;
+}
+
+std::vector<Option> parse(const std::string& text, const std::filesystem::path& file) {
+  const bool yaml = file.extension() == ".yml" || file.extension() == ".yaml";
+  auto options = yaml ? parse_yaml_options(text, file.string()) : parse_plain_options(text, file.string());
+  if (std::ranges::any_of(options, [](const Option& o) { return o.name == "options_file"; }))
+    throw InputError(file.string() + ": one options file cannot name another; name both on the command line");
+  return options;
+}
+
+/// *Collective*.
+std::vector<Option> read_file(MPI_Comm comm, const std::filesystem::path& file) {
+  std::string text;
+  parallel::on_root(comm, [&] {
+    text = text_of(file);
+    parse(text, file);
+  });
+  parallel::broadcast(comm, text);
+  return parse(text, file);
 }
 
 }  // namespace
 
-Asked read_command_line(MPI_Comm comm, int argc, char** argv) {
-  Asked asked = Asked::run;
-  bool value_may_follow = false;
+CommandLine read_command_line(MPI_Comm comm, int argc, char** argv) {
+  CommandLine line;
+  std::vector<std::filesystem::path> files;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
-    if (word == "-help" || word == "--help" || word == "-h") asked = Asked::help;
-    if (!is_option(word) && !value_may_follow)
+    if (!is_option(word))
       throw InputError("'" + word + "' is not an option; options begin with a dash, such as -mesh " + word);
-    value_may_follow = is_option(word);
-    if (word == "-options_file_yaml")
-      throw InputError("there is no option -options_file_yaml; give -options_file a file that ends in .yaml or .yml");
-    if (word != "-options_file") continue;
-    if (i + 1 == argc || is_option(argv[i + 1])) throw InputError("option -options_file needs a file after it");
-    petsc::insert_options_file(comm, argv[i + 1]);
+    const bool has_value = i + 1 < argc && !is_option(argv[i + 1]);
+    const std::string value = has_value ? argv[++i] : "";
+    if (word == "-help" || word == "--help" || word == "-h") line.asked = Asked::help;
+    else if (word != "-options_file") line.given.put({word.substr(1), value});
+    else if (has_value) files.emplace_back(value);
+    else throw InputError("option -options_file needs a file after it");
   }
-  return asked;
+  for (const auto& file : files)
+    for (const auto& option : read_file(comm, file) | std::views::reverse) line.given.add(option);
+  return line;
 }
 
 std::vector<std::filesystem::path> option_files(int argc, char** argv) {

@@ -6,10 +6,8 @@
 
 #include "ritz/base/error.hpp"
 #include "ritz/config/database.hpp"
+#include "ritz/config/solvers.hpp"
 #include "ritz/config/supports.hpp"
-#include "ritz/petsc/eigensolver.hpp"
-#include "ritz/petsc/newton.hpp"
-#include "ritz/petsc/options.hpp"
 #include "ritz/stages/reduce_polynomial.hpp"
 
 namespace ritz::config {
@@ -24,10 +22,10 @@ MaterialOptions read_material(Database& options, const std::string& prefix) {
 }
 
 /// Regions that have options of their own: -material_REGION_young and so on.
-std::map<std::string, MaterialOptions> read_regions(Database& options) {
+std::map<std::string, MaterialOptions> read_regions(Database& options, const Given& given) {
   constexpr std::string_view start = "material_";
   std::map<std::string, MaterialOptions> regions;
-  for (const auto& [name, value] : petsc::unread_options()) {
+  for (const auto& [name, value] : given.unread()) {
     if (!name.starts_with(start)) continue;
     for (const std::string_view end : {"_young", "_poisson", "_density", "_law"}) {
       if (!name.ends_with(end) || name.size() <= start.size() + end.size()) continue;
@@ -77,43 +75,6 @@ void read_supports(Database& options, Config& config) {
   config.file_supports = mesh::FileSupports::ignored;
 }
 
-bool is_slepc(const std::string& name) { return name.starts_with("modes_eps_") || name.starts_with("modes_st_"); }
-
-/// The options that solvers read for themselves, as they were given.
-std::vector<std::pair<std::string, std::string>> solver_options_given() {
-  auto given = petsc::unread_options();
-  std::erase_if(given, [](const auto& o) {
-    return !is_slepc(o.first) && !o.first.starts_with("solve_") && !o.first.starts_with("multigrid_") &&
-           !o.first.starts_with("newton_");
-  });
-  return given;
-}
-
-/// Options that PETSc and SLEPc would read, but that ask for what is not done here: PETSc's own cycle over the levels,
-/// a search by interval.
-void refuse_foreign_options(const std::vector<std::pair<std::string, std::string>>& given) {
-  for (const auto& [name, value] : given) {
-    if (name.starts_with("multigrid_mg_"))
-      throw InputError("option -" + name + " has no effect: the multigrid has its own smoothers; leave it out");
-    if (name == "modes_eps_interval")
-      throw InputError("option -" + name + ": modes are sought by number, from the lowest on; give -modes K instead");
-  }
-}
-
-/// The solvers meet their options here first: what they object to is input, whatever they call it.
-void read_solver_options(MPI_Comm comm) {
-  try {
-    petsc::read_eigensolver_options(comm);
-    petsc::read_factorization_options(comm, "solve_");
-    petsc::read_multigrid_options(comm, "multigrid_");
-    petsc::read_newton_options(comm);
-  } catch (const NumericalError& error) {
-    const std::string why = error.what();
-    throw InputError("an option under -modes_, -solve_, -multigrid_ or -newton_ does not work: " +
-                     why.substr(0, why.find(" (in ")));
-  }
-}
-
 /// "4,9": ascending whole numbers from 1.
 std::vector<int> read_mode_list(Database& options) {
   std::vector<int> modes;
@@ -136,8 +97,8 @@ void read_basis(Database& options, Config& config) {
   stages::BasisOptions basis;
   basis.modes = read_mode_list(options);
   basis.derivatives = options.integer("derivatives", 0, 0);
-  const bool by_size = petsc::option_value("-basis").has_value();
-  const bool by_tolerance = petsc::option_value("-basis_tolerance").has_value();
+  const bool by_size = options.has("basis");
+  const bool by_tolerance = options.has("basis_tolerance");
   if (by_size && by_tolerance)
     throw InputError("options -basis and -basis_tolerance cut the basis in two ways: leave out one or the other");
   if (by_size) basis.cut.size = options.integer("basis", 0, 1);
@@ -167,16 +128,15 @@ void read_accuracy(Database& options, Config& config) {
         "the error is measured");
   if (!(*target >= least_accuracy && *target <= most_accuracy))
     throw InputError("option -accuracy must be between 1e-6 and 0.5");
-  for (const auto* other : {"-basis", "-basis_tolerance", "-basis_modes", "-derivatives", "-snapshots"})
-    if (petsc::option_value(other))
-      throw InputError(std::string("option -accuracy chooses the basis by itself: leave out ") + other);
+  for (const std::string other : {"basis", "basis_tolerance", "basis_modes", "derivatives", "snapshots"})
+    if (options.has(other)) throw InputError("option -accuracy chooses the basis by itself: leave out -" + other);
   config.accuracy = {*target, *scene};
   config.basis.emplace();
   config.forces = ReducedForces::polynomial;
 }
 
 std::optional<std::int64_t> read_count(Database& options, const std::string& name) {
-  if (!petsc::option_value("-" + name)) return std::nullopt;
+  if (!options.has(name)) return std::nullopt;
   return options.integer(name, 1, name == "every" ? 1 : 0);
 }
 
@@ -197,14 +157,14 @@ FullOptions read_full(Database& options, Program program) {
 
 }  // namespace
 
-Config read_config(MPI_Comm comm, Program program) {
-  Database options;
+Config read_config(MPI_Comm comm, Given given, Program program) {
+  Database options(given);
   Config config;
   if (petsc::option_value("-units")) config.units = UnitsOf::user;
   config.source = read_source(options);
   read_supports(options, config);
   config.material = read_material(options, "material_");
-  config.by_region = read_regions(options);
+  config.by_region = read_regions(options, given);
   config.modes.count = options.integer("modes", 20, 0);
   config.modes.block = options.integer("modes_block", 4, 1, 64);
   config.modes.tolerance = options.real("modes_tolerance", 1e-10, 1e-14, 1e-2);
@@ -212,10 +172,8 @@ Config read_config(MPI_Comm comm, Program program) {
   read_accuracy(options, config);
   if (program == Program::reduce && (config.accuracy || (config.basis && config.basis->derivatives > 0)))
     config.modes.inverse = stages::InverseUse::kept;
-  const auto solvers = solver_options_given();
-  refuse_foreign_options(solvers);
-  config.modes.slepc = program == Program::reduce &&
-                       std::any_of(solvers.begin(), solvers.end(), [](const auto& o) { return is_slepc(o.first); });
+  const auto solvers = solver_options_given(given);
+  config.modes.slepc = program == Program::reduce && std::ranges::any_of(solvers, is_slepc);
   config.solver = static_cast<Solver>(options.choice("solver", {"auto", "direct", "iterative"}, 0));
   if (config.modes.slepc && config.solver == Solver::iterative)
     throw InputError(
@@ -231,10 +189,9 @@ Config read_config(MPI_Comm comm, Program program) {
   config.exported = static_cast<Export>(options.choice("export", {"none", "matrixmarket", "petsc"}, 0));
   config.output = options.text("output", program == Program::full ? "full.h5" : "model.h5");
   config.full = read_full(options, program);
-  read_solver_options(comm);
-  refuse_unread_options();
+  config.reports = hand_to_solvers(comm, given);
   config.resolved = options.resolved();
-  config.resolved.insert(config.resolved.end(), solvers.begin(), solvers.end());
+  for (const auto& [name, value] : solvers) config.resolved.emplace_back(name, value);
   return config;
 }
 

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "ritz/config/given.hpp"
 #include "ritz/fem/material.hpp"
 #include "ritz/mesh/dofs.hpp"
 #include "ritz/mesh/read.hpp"
@@ -71,12 +72,14 @@ struct Config {
   std::filesystem::path output = "model.h5";
   std::vector<std::filesystem::path> option_files;  ///< that the command line names
   FullOptions full;
+  std::vector<Option> reports;        ///< of solvers, and the log: options whose value is a file that they write
+  std::vector<std::string> warnings;  ///< of what was given and left unread
   std::vector<std::pair<std::string, std::string>> resolved;  ///< every option as read or by default
 };
 
-/// Reads and cross-checks the options of a program, and refuses those that nobody reads; its sibling's are none of
-/// these. Throws InputError on all ranks alike. *Collective*.
-Config read_config(MPI_Comm comm, Program program = Program::reduce);
+/// Reads and cross-checks the options of a program, hands those of solvers to these, and refuses what nobody reads; its
+/// sibling's are none of these. Throws InputError on all ranks alike. *Collective*.
+Config read_config(MPI_Comm comm, Given given, Program program = Program::reduce);
 
 /// The material of each region in SI: -material_REGION_* over -material_* over the mesh file's own; '_' may stand for a
 /// blank in REGION, which may also name a larger volume that the region lies in. Throws InputError for a region without

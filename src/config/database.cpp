@@ -7,8 +7,6 @@
 
 #include "ritz/base/error.hpp"
 #include "ritz/base/nearest.hpp"
-#include "ritz/config/option_table.hpp"
-#include "ritz/petsc/options.hpp"
 
 namespace ritz::config {
 namespace {
@@ -35,33 +33,10 @@ T parse(const std::string& name, const std::string& word, const char* kind) {
   return value;
 }
 
-/// Options that are right but read only when PETSc ends, or when a solver has solved or set up its levels.
-bool is_late(const std::string& name) {
-  constexpr std::array at_the_end = {"log_view",    "log_view_memory", "options_left", "options_view", "objects_dump",
-                                     "malloc_dump", "malloc_view",     "memory_view",  "mpidump",      "citations"};
-  constexpr std::array reports = {"_view",
-                                  "_view_pre",
-                                  "_view_mat",
-                                  "_view_rhs",
-                                  "_view_values",
-                                  "_view_vectors",
-                                  "_error_absolute",
-                                  "_error_relative",
-                                  "_error_backward",
-                                  "_converged_reason",
-                                  "_error_if_not_converged"};
-  const auto ends = [&](const char* part) { return name.ends_with(part); };
-  if (std::find(at_the_end.begin(), at_the_end.end(), name) != at_the_end.end()) return true;
-  if (name.starts_with("modes_st_mg_levels_")) return true;
-  const bool solver = name.starts_with("modes_eps_") || name.starts_with("modes_st_") ||
-                      name.starts_with("solve_ksp_") || name.starts_with("newton_snes_");
-  return solver && std::any_of(reports.begin(), reports.end(), ends);
-}
-
 }  // namespace
 
 std::optional<std::string> Database::text(const std::string& name) {
-  auto value = petsc::option_value("-" + name);
+  auto value = given_.read(name);
   if (value && value->empty()) throw InputError("option -" + name + " needs a value after it");
   if (value) resolved_.emplace_back(name, *value);
   return value;
@@ -75,7 +50,7 @@ std::string Database::text(const std::string& name, const std::string& fallback)
 
 int Database::integer(const std::string& name, int fallback, int least, int most) {
   int value = fallback;
-  if (const auto word = petsc::option_value("-" + name)) value = parse<int>(name, *word, "a whole number");
+  if (const auto word = given_.read(name)) value = parse<int>(name, *word, "a whole number");
   if (value < least || value > most)
     throw InputError("option -" + name + " " + std::to_string(value) + " must be at least " + std::to_string(least) +
                      (most < std::numeric_limits<int>::max() ? " and at most " + std::to_string(most) : ""));
@@ -84,7 +59,7 @@ int Database::integer(const std::string& name, int fallback, int least, int most
 }
 
 std::optional<double> Database::real(const std::string& name) {
-  const auto word = petsc::option_value("-" + name);
+  const auto word = given_.read(name);
   if (!word) return std::nullopt;
   const auto value = parse<double>(name, *word, "a number");
   if (!std::isfinite(value)) throw InputError("option -" + name + " " + *word + ": that is not a finite number");
@@ -103,7 +78,7 @@ double Database::real(const std::string& name, double fallback, double least, do
 }
 
 bool Database::flag(const std::string& name) {
-  const auto word = petsc::option_value("-" + name);
+  const auto word = given_.read(name);
   bool value = word.has_value();
   if (word && !word->empty()) {
     if (*word == "0" || *word == "false" || *word == "no" || *word == "off") value = false;
@@ -121,18 +96,6 @@ std::size_t Database::choice(const std::string& name, const std::vector<std::str
     throw InputError("option -" + name + " " + word + " is not one of " + listed(words) + "; did you mean '" +
                      nearest(word, words) + "'?");
   return static_cast<std::size_t>(found - words.begin());
-}
-
-void refuse_unread_options() {
-  std::vector<std::string> names;
-  for (const auto& entry : option_table()) names.emplace_back(entry.name);
-  const auto own = names;
-  for (const auto name : solver_options()) names.emplace_back(name);
-  for (const auto& [name, value] : petsc::unread_options()) {
-    if (is_late(name) || std::find(own.begin(), own.end(), name) != own.end()) continue;
-    throw InputError("there is no option -" + name + "; did you mean -" + nearest(name, names) +
-                     "? (-help lists them all)");
-  }
 }
 
 }  // namespace ritz::config

@@ -6,11 +6,16 @@
 #include <utility>
 #include <vector>
 
+#include "ritz/config/given.hpp"
+
 namespace ritz::config {
 
 /// Remembers what was read and what it came to.
 class Database {
  public:
+  explicit Database(Given& given) : given_(given) {}
+
+  bool has(const std::string& name) { return given_.read(name).has_value(); }
   std::optional<std::string> text(const std::string& name);
   std::string text(const std::string& name, const std::string& fallback);
   int integer(const std::string& name, int fallback, int least, int most = std::numeric_limits<int>::max());
@@ -23,10 +28,8 @@ class Database {
   const std::vector<std::pair<std::string, std::string>>& resolved() const { return resolved_; }
 
  private:
+  Given& given_;
   std::vector<std::pair<std::string, std::string>> resolved_;
 };
-
-/// Throws InputError for the first option that nobody read, naming the nearest real one.
-void refuse_unread_options();
 
 }  // namespace ritz::config

@@ -53,52 +53,14 @@ constexpr std::array entries = std::to_array<OptionEntry>({
     {"options_file", "FILE", "", "none",
      "options from a file, one a line, quotes as on a command line (.yml or .yaml: YAML); the command line wins"},
     {"help", "", "", "", "this text"},
-    {"log_view", "", "", "off", "PETSc's own timing table, by named stages"},
+    {"log_view", "stdout | :FILE | :FILE:FORMAT", "", "off",
+     "PETSc's own timing table, by named stages; FORMAT is ascii_info_detail, ascii_csv, ascii_xml or "
+     "ascii_flamegraph"},
     {"scene", "FILE.toml", "", "", "ritz-full, required: what is done to the body, as for ritz-run --scene"},
     {"restart", "FULL.h5", "", "none", "ritz-full: go on from the last state of an earlier run of the same problem"},
     {"frames", "N", "0 ... ", "all states, at most 201", "ritz-full: displacement frames, evenly spread"},
     {"every", "N", "1 ... ", "none", "ritz-full: a displacement frame every so many steps, in place of -frames"},
     {"timing", "FILE.csv", "", "none", "ritz-full: a table of what each step cost, without recording"},
-});
-
-constexpr std::array solvers = std::to_array<std::string_view>({
-    "modes_eps_type",
-    "modes_eps_tol",
-    "modes_eps_max_it",
-    "modes_eps_ncv",
-    "modes_eps_mpd",
-    "modes_eps_nev",
-    "modes_eps_target",
-    "modes_eps_monitor",
-    "modes_eps_view",
-    "modes_eps_converged_reason",
-    "modes_st_type",
-    "modes_st_shift",
-    "modes_st_ksp_type",
-    "modes_st_ksp_rtol",
-    "modes_st_ksp_max_it",
-    "modes_st_pc_type",
-    "modes_st_pc_factor_mat_solver_type",
-    "modes_st_pc_gamg_threshold",
-    "modes_st_mat_mumps_icntl_14",
-    "newton_snes_max_it",
-    "newton_snes_linesearch_type",
-    "newton_snes_monitor",
-    "newton_snes_converged_reason",
-    "solve_ksp_type",
-    "solve_ksp_view",
-    "solve_pc_type",
-    "solve_pc_factor_mat_solver_type",
-    "solve_mat_mumps_icntl_4",
-    "solve_mat_mumps_icntl_7",
-    "solve_mat_mumps_icntl_14",
-    "solve_mat_mumps_icntl_22",
-    "solve_mat_mumps_cntl_1",
-    "multigrid_pc_gamg_threshold",
-    "multigrid_pc_gamg_agg_nsmooths",
-    "multigrid_pc_gamg_aggressive_coarsening",
-    "multigrid_pc_gamg_coarse_eq_limit",
-    "multigrid_pc_mg_levels",
 });
 
 constexpr std::string_view reduce_text =
@@ -115,8 +77,6 @@ constexpr std::string_view full_text =
 }  // namespace
 
 std::span<const OptionEntry> option_table() { return entries; }
-
-std::span<const std::string_view> solver_options() { return solvers; }
 
 std::string help_text(std::string_view program) {
   std::ostringstream out;

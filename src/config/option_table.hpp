@@ -16,9 +16,6 @@ struct OptionEntry {
 
 std::span<const OptionEntry> option_table();
 
-/// The best-known options of SLEPc and PETSc under our prefixes, for suggestions only: they read their own.
-std::span<const std::string_view> solver_options();
-
 /// What -help prints.
 std::string help_text(std::string_view program);
 

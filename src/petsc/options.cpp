@@ -9,25 +9,22 @@
 #include "ritz/petsc/multigrid.hpp"
 
 namespace ritz::petsc {
-std::optional<std::string> option_value(const std::string& name) {
-  PetscBool set = PETSC_FALSE;
-  check(PetscOptionsHasName(nullptr, nullptr, name.c_str(), &set));
-  if (!set) return std::nullopt;
-  char value[4096] = "";
-  PetscBool has_value = PETSC_FALSE;
-  check(PetscOptionsGetString(nullptr, nullptr, name.c_str(), value, sizeof value, &has_value));
-  return std::string(has_value ? value : "");
+void set_option(const std::string& name, const std::string& value) {
+  check(PetscOptionsSetValue(nullptr, ("-" + name).c_str(), value.empty() ? nullptr : value.c_str()));
 }
 
-std::vector<std::pair<std::string, std::string>> unread_options() {
+void clear_option(const std::string& name) { check(PetscOptionsClearValue(nullptr, ("-" + name).c_str())); }
+
+std::vector<std::string> unread_options() {
   PetscInt count = 0;
   char **names = nullptr, **values = nullptr;
   check(PetscOptionsLeftGet(nullptr, &count, &names, &values));
-  std::vector<std::pair<std::string, std::string>> unread;
-  for (PetscInt i = 0; i < count; ++i) unread.emplace_back(names[i], values[i] ? values[i] : "");
+  const std::vector<std::string> unread(names, names + count);
   check(PetscOptionsLeftRestore(nullptr, &count, &names, &values));
   return unread;
 }
+
+void begin_log(Log log) { check(log == Log::nested ? PetscLogNestedBegin() : PetscLogDefaultBegin()); }
 
 void read_factorization_options(MPI_Comm comm, const std::string& prefix) {
   const Matrix tiny = tiny_identity(comm);

@@ -1,24 +1,27 @@
-// PETSc's options database as words; typed reading is in the config layer.
+// What of PETSc's options database ritz fills and asks: options of solvers alone, which the config layer has let
+// through.
 #pragma once
 #include <mpi.h>
 
-#include <filesystem>
-#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace ritz::petsc {
 
-/// Adds an options file (.yml and .yaml: YAML; else an option a line, in words and quotes as a shell reads them); what
-/// is already set wins over it. Throws InputError. *Collective*.
-void insert_options_file(MPI_Comm comm, const std::filesystem::path& file);
+/// Sets option `name` (without its dash); an empty value: it stands alone.
+void set_option(const std::string& name, const std::string& value);
 
-/// The value of option `name` (with its dash), empty where it stands alone; marks it as read.
-std::optional<std::string> option_value(const std::string& name);
+/// Takes an option out again.
+void clear_option(const std::string& name);
 
-/// Options that nobody has read so far, without their dash, and their values.
-std::vector<std::pair<std::string, std::string>> unread_options();
+/// Options that were set and that no solver has read so far, without their dash.
+std::vector<std::string> unread_options();
+
+/// How -log_view shows the stages: as tables, or nested in one another (the formats ascii_xml and ascii_flamegraph).
+enum class Log { flat, nested };
+
+/// Begins to time the stages.
+void begin_log(Log log);
 
 /// Lets the factorization, or the multigrid, under `prefix` read its options on a tiny matrix, so that they count as
 /// read. *Collective*.

@@ -6,26 +6,34 @@
 #include <petscblaslapack.h>
 
 #include <cstdlib>
-#include <map>
+#include <filesystem>
 #include <new>
+#include <vector>
 
 #include "ritz/petsc/check.hpp"
 
 namespace ritz::petsc {
 namespace {
 
-/// The arguments that PETSc's start should see.
-std::vector<std::string> for_petsc(int argc, char** argv) {
-  std::vector<std::string> words;
-  for (int i = 0; i < argc; ++i) {
-    const std::string word = argv[i];
-    if (word == "-options_file" || word == "-options_file_yaml") {
-      ++i;
-      continue;
-    }
-    if (word != "-help" && word != "--help" && word != "-h") words.push_back(word);
+/// Variables that hold options for PETSc; it shall not find them.
+std::vector<std::string> take_variables() {
+  std::vector<std::string> taken;
+  for (const char* name : {"PETSC_OPTIONS", "PETSC_OPTIONS_YAML"}) {
+    if (const char* value = std::getenv(name); value && *value) taken.push_back(std::string("the variable ") + name);
+    unsetenv(name);
   }
-  return words;
+  return taken;
+}
+
+/// The files in which PETSc looks for options.
+std::vector<std::string> petsc_files() {
+  std::vector<std::filesystem::path> places = {".petscrc", "petscrc"};
+  if (const char* home = std::getenv("HOME")) places.push_back(std::filesystem::path(home) / ".petscrc");
+  std::vector<std::string> found;
+  std::error_code none;
+  for (const auto& place : places)
+    if (std::filesystem::is_regular_file(place, none)) found.push_back("the file " + place.string());
+  return found;
 }
 
 template <class Function>
@@ -35,15 +43,18 @@ Function symbol(const char* name) {
 
 }  // namespace
 
-Session::Session(int argc, char** argv) : words_(for_petsc(argc, argv)) {
-  for (auto& word : words_) pointers_.push_back(word.data());
-  pointers_.push_back(nullptr);
-  int count = static_cast<int>(words_.size());
-  char** list = pointers_.data();
+Session::Session(const std::string& program) : unread_(take_variables()) {
+  std::string name = program, no_files = "-skip_petscrc";
+  char* words[] = {name.data(), no_files.data(), nullptr};
+  int count = 2;
+  char** list = words;
   if (SlepcInitialize(&count, &list, nullptr, nullptr) != 0) std::exit(1);
   PetscPopSignalHandler();
   keep_messages();
   limit_blas_threads();
+  check(PetscOptionsClear(nullptr));
+  const auto files = petsc_files();
+  unread_.insert(unread_.end(), files.begin(), files.end());
 }
 
 Session::~Session() {

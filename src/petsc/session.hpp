@@ -10,17 +10,20 @@ namespace ritz::petsc {
 
 class Session {
  public:
-  /// Starts MPI, PETSc and SLEPc with the command line, less -help and -options_file, which the caller reads.
-  Session(int argc, char** argv);
+  /// Starts MPI, PETSc and SLEPc with no options at all: neither the command line's, nor those of PETSc's own files and
+  /// variables, reach them by themselves.
+  explicit Session(const std::string& program);
   ~Session();
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
   MPI_Comm comm() const { return MPI_COMM_WORLD; }
 
+  /// What PETSc would have taken options from, in words: "the file .petscrc". As this rank sees it.
+  const std::vector<std::string>& unread() const { return unread_; }
+
  private:
-  std::vector<std::string> words_;
-  std::vector<char*> pointers_;
+  std::vector<std::string> unread_;
 };
 
 /// Name and version of each library that a result depends on.

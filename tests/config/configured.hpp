@@ -16,19 +16,11 @@ inline Config configured(std::vector<std::string> words) {
   static const bool quiet = (petsc::keep_messages(), true);
   (void)quiet;
   words.insert(words.begin(), "ritz-reduce");
-  std::vector<char*> pointers, for_petsc;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    pointers.push_back(words[i].data());
-    if (words[i] != "-options_file" && (i == 0 || words[i - 1] != "-options_file"))
-      for_petsc.push_back(words[i].data());
-  }
-  int count = static_cast<int>(for_petsc.size());
-  for_petsc.push_back(nullptr);
-  char** list = for_petsc.data();
+  std::vector<char*> pointers;
+  for (auto& word : words) pointers.push_back(word.data());
   PetscOptionsClear(nullptr);
-  PetscOptionsInsert(nullptr, &count, &list, nullptr);
-  read_command_line(MPI_COMM_WORLD, static_cast<int>(pointers.size()), pointers.data());
-  return read_config(MPI_COMM_WORLD);
+  return read_config(MPI_COMM_WORLD,
+                     read_command_line(MPI_COMM_WORLD, static_cast<int>(pointers.size()), pointers.data()).given);
 }
 
 /// A command line on a box, and more.
