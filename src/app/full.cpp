@@ -7,6 +7,7 @@
 #include "ritz/app/full_start.hpp"
 #include "ritz/app/outputs.hpp"
 #include "ritz/app/progress.hpp"
+#include "ritz/app/reports.hpp"
 #include "ritz/app/resources.hpp"
 #include "ritz/app/warnings.hpp"
 #include "ritz/base/counted.hpp"

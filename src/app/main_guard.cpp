@@ -58,6 +58,7 @@ int run_program(int argc, char** argv, config::Program program,
     }
     petsc::take_blas_memory();
     auto config = config::read_config(session.comm(), line.given, program);
+    config.option_files = line.files;
     for (const auto& source : session.unread())
       config.warnings.push_back("options of PETSc's own in " + source +
                                 " are not read; name a file by -options_file, or delete it");

@@ -39,7 +39,4 @@ Outputs claim_model(MPI_Comm comm, const config::Config& config);
 /// What ritz-full writes under `scene`; -restart may name the file that the run replaces. *Collective*.
 Outputs claim_motion(MPI_Comm comm, const config::Config& config, const scene::Scene& scene);
 
-/// The same for the files of reports. A report never follows a link. *Collective*.
-void refuse_reports(MPI_Comm comm, const config::Config& config);
-
 }  // namespace ritz::app

@@ -12,6 +12,7 @@
 #include "ritz/app/plausible.hpp"
 #include "ritz/app/progress.hpp"
 #include "ritz/app/reduce.hpp"
+#include "ritz/app/reports.hpp"
 #include "ritz/app/resources.hpp"
 #include "ritz/app/static_path.hpp"
 #include "ritz/app/warnings.hpp"

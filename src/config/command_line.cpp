@@ -1,6 +1,5 @@
 #include "ritz/config/command_line.hpp"
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <ranges>
@@ -30,10 +29,7 @@ std::string text_of(const std::filesystem::path& file) {
 
 std::vector<Option> parse(const std::string& text, const std::filesystem::path& file) {
   const bool yaml = file.extension() == ".yml" || file.extension() == ".yaml";
-  auto options = yaml ? parse_yaml_options(text, file.string()) : parse_plain_options(text, file.string());
-  if (std::ranges::any_of(options, [](const Option& o) { return o.name == "options_file"; }))
-    throw InputError(file.string() + ": one options file cannot name another; name both on the command line");
-  return options;
+  return yaml ? parse_yaml_options(text, file.string()) : parse_plain_options(text, file.string());
 }
 
 /// *Collective*.
@@ -51,7 +47,6 @@ std::vector<Option> read_file(MPI_Comm comm, const std::filesystem::path& file) 
 
 CommandLine read_command_line(MPI_Comm comm, int argc, char** argv) {
   CommandLine line;
-  std::vector<std::filesystem::path> files;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     if (!is_option(word))
@@ -60,10 +55,10 @@ CommandLine read_command_line(MPI_Comm comm, int argc, char** argv) {
     const std::string value = has_value ? argv[++i] : "";
     if (word == "-help" || word == "--help" || word == "-h") line.asked = Asked::help;
     else if (word != "-options_file") line.given.put({word.substr(1), value});
-    else if (has_value) files.emplace_back(value);
+    else if (has_value) line.files.emplace_back(value);
     else throw InputError("option -options_file needs a file after it");
   }
-  for (const auto& file : files)
+  for (const auto& file : line.files)
     for (const auto& option : read_file(comm, file) | std::views::reverse) line.given.add(option);
   return line;
 }

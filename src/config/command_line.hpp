@@ -14,6 +14,7 @@ enum class Asked { run, help };
 struct CommandLine {
   Asked asked = Asked::run;
   Given given;
+  std::vector<std::filesystem::path> files;  ///< of options
 };
 
 /// Refuses words that are neither options nor their values, and reads every -options_file (.yml and .yaml: YAML). The

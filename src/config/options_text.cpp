@@ -52,10 +52,16 @@ void read_line(const std::string& line, const std::string& place, std::vector<Op
   if (words.size() > 2)
     throw InputError(place + ": option " + name + " takes one value; '" + words[2].text +
                      "' is a second (a name with blanks in it stands in quotes)");
+  refuse_file_in_file(name.substr(1), place);
   options.push_back({name.substr(1), words.size() > 1 ? words[1].text : ""});
 }
 
 }  // namespace
+
+void refuse_file_in_file(const std::string& name, const std::string& place) {
+  if (small_letters(name) == "options_file")
+    throw InputError(place + ": one options file cannot name another; name both on the command line");
+}
 
 bool is_option(std::string_view word) {
   return word.size() > 1 && word[0] == '-' && !std::isdigit(static_cast<unsigned char>(word[1])) && word[1] != '.';

@@ -11,6 +11,9 @@ namespace ritz::config {
 /// PETSc's own rule for what begins an option and is no value: a dash and then no digit.
 bool is_option(std::string_view word);
 
+/// Throws InputError where an options file names another one.
+void refuse_file_in_file(const std::string& name, const std::string& place);
+
 /// An option a line, in words and quotes as a shell reads them. `file` is what errors call it. Throws InputError.
 std::vector<Option> parse_plain_options(const std::string& text, const std::string& file);
 

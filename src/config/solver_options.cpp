@@ -9,6 +9,7 @@
 
 #include "ritz/base/error.hpp"
 #include "ritz/base/nearest.hpp"
+#include "ritz/base/printable.hpp"
 #include "ritz/config/solver_names.hpp"
 
 namespace ritz::config {
@@ -28,10 +29,15 @@ std::vector<std::string> split(std::string_view text) {
   return {std::istream_iterator<std::string>(in), {}};
 }
 
+/// An option without a prefix is PETSc's own.
+std::vector<std::string> prefixes_of(const SolverNames& group) {
+  return group.prefixes.empty() ? std::vector<std::string>{""} : split(group.prefixes);
+}
+
 Rules make_rules() {
   Rules rules;
   for (const SolverNames& group : solver_names())
-    for (const auto& prefix : split(group.prefixes))
+    for (const auto& prefix : prefixes_of(group))
       for (const auto& name : split(group.names)) rules[prefix + name] = {group.kind, split(group.words)};
   return rules;
 }
@@ -48,7 +54,7 @@ bool consists_of(std::string_view text, std::string_view marks) {
 }
 
 [[noreturn]] void refuse(const Option& option, const std::string& why) {
-  throw InputError("option -" + option.name + " " + option.value + ": " + why);
+  throw InputError("option -" + option.name + " " + printable(option.value.substr(0, longest_word)) + ": " + why);
 }
 
 bool is_plain(const std::string& file) {
@@ -97,7 +103,8 @@ Report parse_report(const Option& option, const std::vector<std::string>& format
     refuse(option,
            "the file of a report has a plain name, of letters, digits and ._-+=@, alone, and is not compressed");
   if (!format.empty() && std::ranges::find(formats, format) == formats.end())
-    refuse(option, "there is no such format; did you mean '" + nearest(format, formats) + "'?");
+    refuse(option, formats.empty() ? "that report has one format; leave '" + format + "' out"
+                                   : "there is no such format; did you mean '" + nearest(format, formats) + "'?");
   const bool usual = file.empty() && format.empty();
   return {file, format, usual ? "" : "ascii:" + file + ":" + format + (mode.empty() ? "" : ":" + mode)};
 }

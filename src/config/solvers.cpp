@@ -4,6 +4,7 @@
 
 #include "ritz/base/error.hpp"
 #include "ritz/base/nearest.hpp"
+#include "ritz/base/printable.hpp"
 #include "ritz/config/option_table.hpp"
 #include "ritz/config/solver_options.hpp"
 #include "ritz/petsc/eigensolver.hpp"
@@ -16,15 +17,17 @@ namespace {
 constexpr std::size_t longest_name = 100;  ///< that is looked for among the real ones
 
 const std::vector<std::string> formats = {"default", "ascii_info", "ascii_info_detail"};
+const std::vector<std::string> no_formats;  ///< of monitors: PETSc crashes over those that it does not expect
 const std::vector<std::string> log_formats = {"default",   "ascii_info", "ascii_info_detail",
                                               "ascii_csv", "ascii_xml",  "ascii_flamegraph"};
 
 [[noreturn]] void refuse_unknown(const std::string& name) {
-  if (name.size() > longest_name) throw InputError("there is no option -" + name.substr(0, longest_name) + "...");
+  if (name.size() > longest_name)
+    throw InputError("there is no option -" + printable(name.substr(0, longest_name)) + "... (-help lists them all)");
   std::vector<std::string> names;
   for (const auto& entry : option_table()) names.emplace_back(entry.name);
   names.insert(names.end(), solver_option_names().begin(), solver_option_names().end());
-  throw InputError("there is no option -" + name + "; did you mean -" + nearest(name, names) +
+  throw InputError("there is no option -" + printable(name) + "; did you mean -" + nearest(name, names) +
                    "? (-help lists them all)");
 }
 
@@ -37,6 +40,8 @@ bool is_late(const std::string& name) {
   return name.starts_with("modes_st_mg_") || name.starts_with("modes_st_sub_") ||
          name.ends_with("_error_if_not_converged");
 }
+
+bool is_monitor(const std::string& name) { return small_letters(name).find("_monitor") != std::string::npos; }
 
 /// The solvers meet their options here first: what they object to is input, whatever they call it.
 void read_settings(MPI_Comm comm) {
@@ -97,7 +102,7 @@ std::vector<Option> hand_to_solvers(MPI_Comm comm, Given& given) {
     if (kind == SolverOption::mark && !option.value.empty())
       throw InputError("option -" + option.name + " stands alone; leave '" + option.value + "' out");
     if (kind == SolverOption::report || kind == SolverOption::mark)
-      reports.emplace_back(option.name, parse_report(option, formats));
+      reports.emplace_back(option.name, parse_report(option, is_monitor(option.name) ? no_formats : formats));
     if (kind != SolverOption::setting) continue;
     check_setting(option);
     petsc::set_option(option.name, option.value);

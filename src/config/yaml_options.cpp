@@ -57,6 +57,7 @@ class YamlOptions {
     for (Event key = next(); key.type != YAML_MAPPING_END_EVENT; key = next()) {
       if (key.type != YAML_SCALAR_EVENT) fail(key.line, "the name of an option is one word");
       if (depth > deepest) fail(key.line, "options are not nested so deeply");
+      refuse_file_in_file(prefix + key.text, file_ + ":" + std::to_string(key.line));
       if (key.text.starts_with("$$")) skip(depth);
       else value(prefix + key.text, depth);
     }

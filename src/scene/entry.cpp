@@ -4,11 +4,12 @@
 
 #include "ritz/base/error.hpp"
 #include "ritz/base/nearest.hpp"
+#include "ritz/base/printable.hpp"
 
 namespace ritz::scene {
 namespace {
 
-std::string quote(std::string_view word) { return "'" + std::string(word) + "'"; }
+std::string quote(std::string_view word) { return "'" + printable(word) + "'"; }
 
 const toml::array& array(const Entry& entry, const std::string& wanted) {
   if (const auto* array = entry.node.as_array()) return *array;

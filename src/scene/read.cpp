@@ -3,9 +3,12 @@
 #include <fstream>
 #include <sstream>
 
+#include "deep_keys.hpp"
 #include "entry.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/base/nearest.hpp"
+#include "ritz/base/printable.hpp"
+#include "ritz/base/regular_file.hpp"
 #include "scene.hpp"
 
 namespace ritz::scene {
@@ -17,7 +20,8 @@ Integrator integrator(const Entry& entry) {
   const std::string name = text(entry);
   const auto at = std::find(integrator_names.begin(), integrator_names.end(), name);
   if (at == integrator_names.end())
-    fail(entry, "unknown integrator '" + name + "'; did you mean '" + nearest(name, integrator_names) + "'?");
+    fail(entry,
+         "unknown integrator '" + printable(name) + "'; did you mean '" + nearest(name, integrator_names) + "'?");
   return static_cast<Integrator>(at - integrator_names.begin());
 }
 
@@ -89,7 +93,7 @@ Probe probe(const Section& section, const std::vector<Probe>& earlier) {
   if (probe.name.empty() || probe.name.find_first_of(",\"\r\n") != std::string::npos)
     fail(name, name.name + " heads a column: it must not be empty nor hold a comma, a quote or a line break");
   for (const auto& other : earlier)
-    if (other.name == probe.name) fail(name, "two probes are named '" + probe.name + "'");
+    if (other.name == probe.name) fail(name, "two probes are named '" + printable(probe.name) + "'");
   return probe;
 }
 
@@ -117,24 +121,27 @@ Scene scene(const Section& file) {
 }
 
 std::string content(const std::filesystem::path& path) {
+  refuse_irregular(path, "the scene file " + path.string());
   std::ifstream in(path, std::ios::binary);
   std::ostringstream bytes;
-  if (!in || std::filesystem::is_directory(path) || !(bytes << in.rdbuf() || in.peek() == EOF))
+  if (!in || !(bytes << in.rdbuf() || in.peek() == EOF))
     throw InputError("cannot read the scene file " + path.string() + ": check the path and its permissions");
   return bytes.str();
 }
 
 }  // namespace
 
-Scene read(const std::filesystem::path& path) {
-  const std::string bytes = content(path);
+Scene read(const std::filesystem::path& path) { return parse(content(path), path.string()); }
+
+Scene parse(const std::string& bytes, const std::string& file) {
+  refuse_deep_keys(bytes, file);
   try {
-    const toml::table root = toml::parse(bytes, path.string());
-    return scene(Section({root, path.string(), "the scene"},
-                         {"time", "static", "damping", "gravity", "shake", "load", "probe"}));
+    const toml::table root = toml::parse(bytes, file);
+    return scene(
+        Section({root, file, "the scene"}, {"time", "static", "damping", "gravity", "shake", "load", "probe"}));
   } catch (const toml::parse_error& error) {
-    throw InputError(path.string() + ":" + std::to_string(error.source().begin.line) +
-                     ": not valid TOML: " + std::string(error.description()));
+    throw InputError(file + ":" + std::to_string(error.source().begin.line) +
+                     ": not valid TOML: " + printable(error.description()));
   }
 }
 

@@ -100,4 +100,7 @@ double factor(const Scene& scene, const std::optional<Table>& table, double t);
 /// unknown keys (naming the nearest one), wrong types, step <= 0, end < step, unsorted tables, NaN.
 Scene read(const std::filesystem::path& path);
 
+/// The same of the text of a scene file, which errors call `file`.
+Scene parse(const std::string& bytes, const std::string& file);
+
 }  // namespace ritz::scene

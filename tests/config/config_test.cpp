@@ -191,10 +191,10 @@ TEST(Config, RefusesOptionsThatNobodyReads) {
 }
 
 TEST(Config, AcceptsOptionsThatAreReadLater) {
-  EXPECT_NO_THROW(with_box({"-scene", "scene.toml", "-modes_eps_view", "-solve_ksp_view", "-modes_eps_converged_reason",
-                            "-modes_st_mat_mumps_icntl_14", "30", "-solve_mat_mumps_icntl_7", "2", "-malloc_view",
-                            "-modes_st_mg_levels_ksp_type", "chebyshev", "-modes_eps_monitor",
-                            "-multigrid_pc_gamg_threshold", ".02"}));
+  EXPECT_NO_THROW(
+      with_box({"-scene", "scene.toml", "-modes_eps_view", "-solve_ksp_view", "-modes_eps_converged_reason",
+                "-modes_st_mat_mumps_icntl_14", "30", "-solve_mat_mumps_icntl_7", "2", "-modes_st_mg_levels_ksp_type",
+                "chebyshev", "-modes_eps_monitor", "-multigrid_pc_gamg_threshold", ".02"}));
 }
 
 TEST(Config, RefusesWhatSolversRefuse) {
