@@ -62,7 +62,6 @@ int run_program(int argc, char** argv, config::Program program,
     for (const auto& source : session.unread())
       config.warnings.push_back("options of PETSc's own in " + source +
                                 " are not read; name a file by -options_file, or delete it");
-    config.option_files = config::option_files(argc, argv);
     work(session.comm(), config);
   });
   if (code == exit_input) petsc::clear_option("log_view");

@@ -63,11 +63,4 @@ CommandLine read_command_line(MPI_Comm comm, int argc, char** argv) {
   return line;
 }
 
-std::vector<std::filesystem::path> option_files(int argc, char** argv) {
-  std::vector<std::filesystem::path> files;
-  for (int i = 1; i + 1 < argc; ++i)
-    if (std::string(argv[i]) == "-options_file") files.emplace_back(argv[i + 1]);
-  return files;
-}
-
 }  // namespace ritz::config

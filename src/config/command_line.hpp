@@ -22,7 +22,4 @@ struct CommandLine {
 /// *Collective*.
 CommandLine read_command_line(MPI_Comm comm, int argc, char** argv);
 
-/// The files that -options_file names.
-std::vector<std::filesystem::path> option_files(int argc, char** argv);
-
 }  // namespace ritz::config

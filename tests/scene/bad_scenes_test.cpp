@@ -1,5 +1,6 @@
 // What is wrong in a scene costs one sentence with the file, the line and the remedy.
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include "ritz/base/error.hpp"
 #include "ritz/scene/scene.hpp"
@@ -21,6 +22,9 @@ const std::vector<Bad> bad_scenes = {
     {"[time]\nstep = 1\nstep = 2\nend = 3", ":3: not valid TOML"},
     {"[time]\nstep = = 1", ":2: not valid TOML"},
     {"\xff\xfe", "not valid TOML"},
+    {"[time]\nstep = 1\nend = n\n", ":3: not valid TOML"},
+    {"gr\\u001b[31mavity = 1\n" + time, "not valid TOML"},
+    {"\"gr\\u001b[31m\" = 1\n" + time, ":1: unknown key 'gr\\x1b[31m' in the scene"},
     {"gravty = [0, 0, -9.81]\n" + time, ":1: unknown key 'gravty' in the scene; did you mean 'gravity'?"},
     {"[time]\nstpe = 0.1\nend = 1", ":2: unknown key 'stpe' in [time]; did you mean 'step'?"},
     {"[time]\nend = 1", "[time] needs the key 'step'"},
@@ -92,6 +96,46 @@ TEST(BadScenes, EachCostsOneSentence) {
       ADD_FAILURE() << "threw something else, " << error.what() << ", for:\n" << bad.text;
     }
   }
+}
+
+std::string repeated(const std::string& text, int times) {
+  std::string all;
+  for (int i = 0; i < times; ++i) all += text;
+  return all;
+}
+
+TEST(BadScenes, OfAnyDepthCostOneSentence) {
+  constexpr int deep = 100000;
+  const std::string keys = "a" + repeated(".a", deep), quoted = "a" + repeated(" . \"a.b\"", deep);
+  for (const auto& text :
+       {keys + " = 1", quoted + " = 1", "[" + keys + "]", "[[" + keys + "]]", "x = {" + keys + " = 1}",
+        "x = " + repeated("[", deep), "x = " + repeated("{x = ", deep), "s = \"\"\"\n.\"\"\"\n" + keys + " = 1"}) {
+    try {
+      parse(text, "s.toml");
+      ADD_FAILURE() << "was accepted: " << text.substr(0, 40);
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), testing::StartsWith("s.toml:")) << text.substr(0, 40);
+      EXPECT_THAT(error.what(), testing::Not(testing::HasSubstr("\n"))) << text.substr(0, 40);
+      EXPECT_LT(std::string(error.what()).size(), 300) << text.substr(0, 40);
+    }
+  }
+}
+
+TEST(BadScenes, DotsAreNoDepthInTextCommentsAndNumbers) {
+  const std::string dots(1000, '.');
+  EXPECT_NO_THROW(parse("# " + dots + "\ngravity = [0.1" + repeated(", 0.1", 2) + "]\n" + time +
+                            "[[probe]]\nname = 'a" + dots + "'\nset = \"\"\"\n" + dots +
+                            "\"\"\"\n[[load]]\nset = \"\\\"" + dots + "\"\ntotal = [0.0, 0.0, 1.5]\ntable = [" +
+                            repeated("[0.5, 0.5]", 1) + "]\n",
+                        "s.toml"));
+}
+
+TEST(BadScenes, APipeIsNoFile) {
+  const auto pipe = std::filesystem::temp_directory_path() / ("ritz_pipe_" + std::to_string(getpid()));
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_THAT([&] { read(pipe); }, testing::ThrowsMessage<InputError>(testing::HasSubstr("not a regular file")));
+  std::filesystem::remove(pipe);
+  EXPECT_THAT([] { read("/dev/zero"); }, testing::ThrowsMessage<InputError>(testing::HasSubstr("not a regular file")));
 }
 
 TEST(BadScenes, AFileThatCannotBeRead) {

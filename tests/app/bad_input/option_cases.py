@@ -187,6 +187,12 @@ OPTION_FILES = [
     option_file("an unknown option in YAML", "modees: 3\n", "-modees", "-modes?", file="a.yml"),
     option_file("an unknown nested option in YAML", "material:\n  yuong: 3\n", "-material_yuong", file="a.yml"),
     option_file("a wrong kind in YAML", "modes_block: many\n", "-modes_block many", file="a.yml"),
+    option_file("YAML of deep nesting", "a: " + "{a: " * 100000, "a.yaml:1", file="a.yaml"),
+    option_file("YAML with an alias", "modes: &m 3\nderivatives: *m\n", "a.yaml:2", "alias", file="a.yaml"),
+    option_file("a zero byte in an options file", b"-modes 3\0\n", "a.opts", "zero byte"),
+    option_file("an option of a long name", "-" + "x" * 100000 + " 3\n", "-xxx"),
+    option_file("a report through a shell", "-modes_eps_view ':x;touch marker;.gz'\n", "-modes_eps_view", "plain name"),
+    option_file("a report in a format that is not there", "-log_view :x:ascii_xlm\n", "-log_view", "'ascii_xml'"),
     option_file("YAML with tabs", "material:\n\tyoung: 3\n", "a.yml", file="a.yml"),
     option_file("an options file that names itself", "-options_file a.opts\n", "a.opts:1", "another"),
 ]
