@@ -24,3 +24,7 @@ if(RITZ_SANITIZE)
   add_compile_options(${RITZ_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   add_link_options(${RITZ_SANITIZE})
 endif()
+
+# No search path in the programs: the one that CMake builds in ends in an empty entry, which the loader takes for the
+# current folder, and a library that somebody put there would be loaded.
+set(CMAKE_BUILD_WITH_INSTALL_RPATH ON)

@@ -73,6 +73,17 @@ class Hostile(InAFolder):
             self.expect_one_sentence(self.run_alone(*BOX, "-options_file", "a.opts"), self.files(), name)
 
     @unittest.skipUnless(shutil.which("cc"), "no C compiler")
+    def test_libraries_of_the_current_folder(self):
+        library = self.library()
+        for program in ("ritz-reduce", "ritz-full", "ritz-run", "ritz-inspect"):
+            needed = subprocess.run(["ldd", BIN / program], capture_output=True, text=True, check=True).stdout
+            for name in re.findall(r"^\s*(lib\S+) =>", needed, re.M):
+                shutil.copy(library, self.folder / name)
+            result = self.run_alone("--help", program=program)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertNotIn("MARKER", self.files())
+
+    @unittest.skipUnless(shutil.which("cc"), "no C compiler")
     def test_petscs_own_files_are_not_read(self):
         library = self.library()
         home = self.folder / "home"
