@@ -121,8 +121,13 @@ class Balance {
   Eigen::Vector3d centre_;
 };
 
-/// Rows that take of a wrench what drives a rigid motion that U does not see, in √kg-normalised motions.
-Eigen::MatrixXd unseen_motions(const model::Inertia& inertia) {
+/// What of a wrench drives rigid motions: all of M-normalised ones, and (rows) those that U does not see.
+struct Unseen {
+  Eigen::Matrix<double, 6, 6> scaling;
+  Eigen::MatrixXd motions;
+};
+
+Unseen unseen_motions(const model::Inertia& inertia) {
   Eigen::Matrix<double, 6, 6> G = Eigen::Matrix<double, 6, 6>::Zero();
   G.topLeftCorner<3, 3>().diagonal().setConstant(inertia.mass());
   G.bottomRightCorner<3, 3>() = inertia.tensor();
@@ -131,13 +136,14 @@ Eigen::MatrixXd unseen_motions(const model::Inertia& inertia) {
   const Eigen::MatrixXd seen = inertia.rigid_coupling() * scaling;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> shares(seen.transpose() * seen);
   const auto count = (shares.eigenvalues().array() < unseen).count();
-  return shares.eigenvectors().leftCols(count).transpose() * scaling;
+  return {scaling, shares.eigenvectors().leftCols(count).transpose() * scaling};
 }
 
 /// Loads that share a factor over time.
 struct Term {
   const std::optional<scene::Table>* table;
   Eigen::VectorXd drive;
+  double size;  ///< were all rigid motions unseen
 };
 
 bool in_equilibrium(const scene::Scene& scene, const std::vector<Term>& terms) {
@@ -151,7 +157,7 @@ bool in_equilibrium(const scene::Scene& scene, const std::vector<Term>& terms) {
     for (const auto& term : terms) {
       const double factor = scene::factor(scene, *term.table, t);
       sum += factor * term.drive;
-      sizes += std::abs(factor) * term.drive.norm();
+      sizes += std::abs(factor) * term.size;
     }
     if (sum.norm() > equilibrium * sizes) return false;
   }
@@ -170,7 +176,9 @@ void refuse_rigid_motion(const format::ModelReader& in, const scene::Scene& scen
                      "; hold the body (-fix), use a model of modes alone (no -derivatives, -snapshots, -basis or "
                      "-polynomial), or ritz-full");
   };
-  const Eigen::MatrixXd motions = unseen_motions(*body.inertia);
+  const Unseen unseen_by_u = unseen_motions(*body.inertia);
+  const auto& scaling = unseen_by_u.scaling;
+  const auto& motions = unseen_by_u.motions;
   if (motions.rows() < rigid) refuse("the scene's loads may move its pieces against each other");
   const Balance balance(body);
   const std::optional<scene::Table> constant;
@@ -179,10 +187,11 @@ void refuse_rigid_motion(const format::ModelReader& in, const scene::Scene& scen
   for (const auto& load : scene.loads) {
     const auto wrench = balance.of(load);
     if (!wrench) refuse("whether the scene's loads push it as a whole cannot be told from what the model stores");
-    terms.push_back({&load.table, motions * *wrench});
+    terms.push_back({&load.table, motions * *wrench, (scaling * *wrench).norm()});
   }
   const auto add_field = [&](const scene::Vector3& acceleration, const std::optional<scene::Table>& table) {
-    terms.push_back({&table, motions.leftCols<3>() * (body.inertia->mass() * vector(acceleration))});
+    const Eigen::Vector3d force = body.inertia->mass() * vector(acceleration);
+    terms.push_back({&table, motions.leftCols<3>() * force, (scaling.leftCols<3>() * force).norm()});
   };
   if (scene.gravity) add_field(*scene.gravity, constant);
   if (scene.shake) add_field(scene.shake->direction, shaking = scene.shake->table);
