@@ -4,8 +4,7 @@
 
 #include "ritz/app/checksums.hpp"
 #include "ritz/app/resolved.hpp"
-#include "ritz/format/contents.hpp"
-#include "ritz/format/parts.hpp"
+#include "ritz/format/sound.hpp"
 #include "ritz/parallel/guard.hpp"
 
 namespace ritz::app {
@@ -18,12 +17,6 @@ struct Wanted {
   config::Solver solver;
   config::Export exported;
 };
-
-/// Checksums are of whole datasets, so one rank looks at them before all read their shares.
-void verify_all(const std::filesystem::path& path) {
-  const format::ModelReader in(path);
-  for (const auto& dataset : format::contents(in)) format::verify(in, dataset);
-}
 
 /// The options that a basis depends on, as they were given.
 std::string made_with(const Options& options) {
@@ -102,7 +95,8 @@ Earlier reuse(const config::Config& config, const mesh::Mesh& mesh, const mesh::
   const Wanted now{checksums(mesh, dofs, materials), resolved(config, mesh, options.strategy), config.solver,
                    config.exported};
   std::string why_not;
-  parallel::on_root(mesh.comm, [&] { verify_all(*config.reuse); });
+  // checksums are of whole datasets, so one rank looks at all of it before all read their shares
+  parallel::on_root(mesh.comm, [&] { format::check(format::ModelReader(*config.reuse)); });
   parallel::together(mesh.comm, [&] {
     const format::ModelReader in(*config.reuse);
     why_not = obstacle(in, now);

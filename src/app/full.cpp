@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ritz/app/checksums.hpp"
+#include "ritz/app/full_file.hpp"
 #include "ritz/app/full_recorder.hpp"
 #include "ritz/app/full_start.hpp"
 #include "ritz/app/outputs.hpp"
@@ -101,6 +102,9 @@ void simulate(MPI_Comm comm, const config::Config& config) {
   for (const auto& text : warnings(config, mesh, dofs, materials)) progress.warn(text);
 
   const auto problem = checksums(mesh, dofs, materials).problem;
+  if (config.full.restart)
+    if (const auto unchecked = verify_last_state(comm, *config.full.restart); !unchecked.empty())
+      progress.warn(unchecked);
   const auto start = first_state(config, mesh, dofs, scene, problem);
   refuse_beyond_room(config, scene, mesh, start.t);
   const auto times = times_from(scene, start.t);

@@ -2,10 +2,27 @@
 
 #include "ritz/app/in_rank_order.hpp"
 #include "ritz/base/error.hpp"
+#include "ritz/format/checksum.hpp"
 #include "ritz/format/motion_dataset.hpp"
+#include "ritz/format/schema.hpp"
 #include "ritz/format/xdmf.hpp"
 
 namespace ritz::app {
+namespace {
+
+/// The share of a checksum of vertices from `first` on.
+std::uint64_t checksum_of(std::span<const double> piece, hsize_t first) {
+  return format::checksum(std::as_bytes(piece), 3 * sizeof(double), static_cast<std::int64_t>(first));
+}
+
+/// HDF5 1.10's layout, in which its own records carry checksums.
+format::Properties checked_layout() {
+  format::Properties access(H5Pcreate(H5P_FILE_ACCESS));
+  H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110);
+  return access;
+}
+
+}  // namespace
 
 std::filesystem::path xdmf_path(std::filesystem::path path) {
   if (path.extension() == ".xdmf")
@@ -21,7 +38,7 @@ FullFile::FullFile(const std::filesystem::path& path, const mesh::Mesh& mesh, co
       part_(comm_, path),
       frames_planned_(plan.frame_times.size()) {
   parallel::on_root(comm_, [&] {
-    file_ = format::File(H5Fcreate(part_.part().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
+    file_ = format::File(H5Fcreate(part_.part().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, checked_layout().get()));
     format::require_written(static_cast<bool>(file_));
     format::write_attribute(file_.get(), "format", "ritz-motion 1");
     const auto states = static_cast<hsize_t>(plan.times.size());
@@ -65,12 +82,15 @@ void FullFile::write_vertices(const std::string& name, const parallel::RowMatrix
   const auto n = static_cast<hsize_t>(order_.slices.vertices.total);
   format::Dataset dataset;
   hsize_t row = 0;
+  std::uint64_t sum = 0;
   parallel::on_root(comm_, [&] { dataset = format::create_floats(file_.get(), name.c_str(), {n, 3}, units); });
   in_rank_order<double>(comm_, {slice.data(), static_cast<std::size_t>(slice.size())}, [&](auto piece) {
     const hsize_t rows = piece.size() / 3;
     format::write_block(dataset, {row, 0}, {rows, 3}, piece.data());
+    sum += checksum_of(piece, row);
     row += rows;
   });
+  parallel::on_root(comm_, [&] { format::write_attribute(dataset.get(), format::schema::checksum, sum); });
 }
 
 void FullFile::frame(const petsc::Tall& u) {
@@ -78,6 +98,7 @@ void FullFile::frame(const petsc::Tall& u) {
   hsize_t at = 0;
   in_rank_order<double>(comm_, {slice.data(), static_cast<std::size_t>(slice.size())}, [&](auto piece) {
     format::write_block(snapshots_, {frames_, at}, {1, piece.size()}, piece.data());
+    snapshots_sum_ += checksum_of(piece, frames_ * static_cast<hsize_t>(order_.slices.vertices.total) + at / 3);
     at += piece.size();
   });
   ++frames_;
@@ -99,6 +120,7 @@ void FullFile::keep(const LastState& state, const std::string& problem_checksum)
 
 void FullFile::finish() {
   parallel::on_root(comm_, [&] {
+    if (snapshots_) format::write_attribute(snapshots_.get(), format::schema::checksum, snapshots_sum_);
     format::require_written(snapshots_.close() && H5Fflush(file_.get(), H5F_SCOPE_GLOBAL) >= 0 && file_.close());
   });
   part_.finish();

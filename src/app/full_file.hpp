@@ -2,12 +2,13 @@
 //
 // clang-format off
 //   /points, /vertex_ids, /cells, /times, /frame_times   as in motion.h5
-//   /snapshots       f x 3n      m   a frame a row: full vectors in the mesh file's order of vertices, x y z together
+//   /snapshots       f x 3n      m   a frame a row: full vectors in the mesh file's order of vertices, x y z together;
+//                    its checksum is that of a model's datasets, taken over rows of three numbers, a vertex each
 //   /displacement    f x n x 3   m   a view of /snapshots
 //   /frames/I        n x 3       m   a view of row I of it
 //   /state/displacement, velocity, acceleration   n x 3   the last state, from which -restart goes on; its attributes
 //                    t, kinetic, elastic, work, dissipated, start, kind (at_rest: of statics; moving) and
-//                    problem_checksum say when and of what
+//                    problem_checksum say when and of what. They have checksums as a model's datasets
 // clang-format on
 // One rank writes, by slices in the mesh file's order.
 #pragma once
@@ -66,9 +67,14 @@ class FullFile {
   PendingFile part_;
   std::optional<PendingFile> xdmf_;
   std::size_t frames_planned_, frames_ = 0;
-  format::File file_;  ///< open on rank 0
+  std::uint64_t snapshots_sum_ = 0;  ///< on rank 0
+  format::File file_;                ///< open on rank 0
   format::Dataset snapshots_;
 };
+
+/// Verifies the checksums of the last state, on rank 0, before read_last_state. Throws InputError on all ranks for a
+/// damaged file; the warning of a file that has none, empty elsewhere. *Collective*.
+std::string verify_last_state(MPI_Comm comm, const std::filesystem::path& path);
 
 /// The last state of an earlier run. Throws InputError on all ranks when the file is none of ritz-full's, or of another
 /// problem. *Collective*.

@@ -6,6 +6,7 @@
 #include <new>
 
 #include "ritz/base/error.hpp"
+#include "ritz/base/printable.hpp"
 #include "ritz/config/command_line.hpp"
 #include "ritz/config/option_table.hpp"
 #include "ritz/files/interruption.hpp"
@@ -20,7 +21,7 @@ int answer(MPI_Comm comm, const std::string& program, const char* message, int c
   const bool together = parallel::vote(comm, false) != Vote::alone;
   if (!together || parallel::rank(comm) == 0) {
     std::fflush(stdout);
-    std::fprintf(stderr, "%s: %s\n", program.c_str(), message);
+    std::fprintf(stderr, "%s: %s\n", program.c_str(), printable(message).c_str());
     std::fflush(stderr);
   }
   if (!together) MPI_Abort(comm, code);

@@ -8,6 +8,7 @@
 #include <ctime>
 #include <exception>
 
+#include "ritz/base/printable.hpp"
 #include "ritz/parallel/comm.hpp"
 
 namespace ritz::app {
@@ -84,7 +85,7 @@ void Progress::warn(const std::string& text) {
   if (!root_) return;
   if (speaks_ && terminal_) std::printf("%s", erase_line);
   std::fflush(stdout);
-  std::fprintf(stderr, "warning: %s\n", text.c_str());
+  std::fprintf(stderr, "warning: %s\n", printable(text).c_str());
 }
 
 }  // namespace ritz::app

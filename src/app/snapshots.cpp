@@ -4,13 +4,17 @@
 
 #include <array>
 #include <cstdint>
-#include <cstdio>
 #include <fstream>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 
+#include "ritz/app/npy.hpp"
 #include "ritz/base/error.hpp"
-#include "ritz/format/handle.hpp"
+#include "ritz/format/checksum.hpp"
+#include "ritz/format/schema.hpp"
+#include "ritz/format/stored_file.hpp"
 #include "ritz/parallel/guard.hpp"
 
 namespace ritz::app {
@@ -22,7 +26,7 @@ using Row = Eigen::VectorXd;
   throw InputError("option -snapshots " + file.string() + ": " + why);
 }
 
-/// One vector after another out of a file.
+/// One vector after another out of a file, from the first to the last.
 class Snapshots {
  public:
   virtual ~Snapshots() = default;
@@ -33,28 +37,14 @@ class Snapshots {
 
 class NumpySnapshots : public Snapshots {
  public:
-  explicit NumpySnapshots(const std::filesystem::path& file) : file_(file), in_(file, std::ios::binary) {
-    std::array<char, 10> start{};
-    in_.read(start.data(), start.size());
-    if (!in_ || std::string(start.data(), 6) != "\x93NUMPY" || start[6] != 1)
-      refuse(file, "that is not a .npy file of version 1; write it with numpy.save");
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(start[i]); };
-    std::string header(static_cast<std::size_t>(byte(8) + 256 * byte(9)), ' ');
-    in_.read(header.data(), static_cast<std::streamsize>(header.size()));
-    first_ = static_cast<std::int64_t>(start.size() + header.size());
-    long long rows = 0, columns = 0;
-    constexpr auto form = "{'descr': '<f8', 'fortran_order': False, 'shape': (%15lld, %15lld)";
-    if (std::sscanf(header.c_str(), form, &rows, &columns) != 2 || rows < 0)
-      refuse(file, "snapshots must be a float64 array of two dimensions in C order, a snapshot a row");
-    count = rows;
-    length = columns;
-    const auto numbers = (static_cast<std::int64_t>(std::filesystem::file_size(file)) - first_) / 8;
-    if (length > 0 && numbers / length < count)
-      refuse(file, "the file ends before its snapshot " + std::to_string(numbers / length + 1));
+  explicit NumpySnapshots(const std::filesystem::path& file)
+      : file_(file), in_(file, std::ios::binary), array_(read_npy_header(file, "option -snapshots")) {
+    count = array_.rows;
+    length = array_.columns;
   }
 
   void read(std::int64_t row, Row& into) override {
-    in_.seekg(first_ + 8 * row * length);
+    in_.seekg(array_.first_byte + 8 * row * length);
     in_.read(reinterpret_cast<char*>(into.data()), 8 * length);
     if (!in_) refuse(file_, "the file ends before its snapshot " + std::to_string(row + 1));
   }
@@ -62,44 +52,53 @@ class NumpySnapshots : public Snapshots {
  private:
   std::filesystem::path file_;
   std::ifstream in_;
-  std::int64_t first_ = 0;
+  NpyArray array_;
 };
 
+/// Rows of /snapshots of a file that ritz-full wrote, whose checksum is verified with the last of them, or of another.
 class Hdf5Snapshots : public Snapshots {
  public:
   explicit Hdf5Snapshots(const std::filesystem::path& path)
-      : path_(path), file_(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT)) {
-    if (!file_) refuse(path, "that is neither a .npy nor a readable HDF5 file");
-    if (H5Lexists(file_.get(), "snapshots", H5P_DEFAULT) > 0)
-      dataset_ = format::Dataset(H5Dopen2(file_.get(), "snapshots", H5P_DEFAULT));
-    if (!dataset_) refuse(path, "the file has no dataset /snapshots; ritz-full writes one when it writes frames");
+      : path_(path),
+        in_(path, "option -snapshots " + path.string(), {.kind = "file of snapshots", .writer = "ritz-full"}) {
+    const auto objects = format::survey(in_, std::array<std::string_view, 1>{name}, format::Storage::foreign);
+    if (objects.empty() || objects.front().kind != format::StoredObject::Kind::dataset)
+      refuse(path, "the file has no dataset /snapshots; ritz-full writes one when it writes frames");
+    if (objects.front().shape.size() != 2) refuse(path, "/snapshots must have two dimensions");
+    count = objects.front().shape[0];
+    length = objects.front().shape[1];
+    dataset_ = format::Dataset(H5Dopen2(in_.file(), name, H5P_DEFAULT));
     space_ = format::Space(H5Dget_space(dataset_.get()));
-    std::array<hsize_t, 2> shape{};
-    if (H5Sget_simple_extent_ndims(space_.get()) != 2) refuse(path, "/snapshots must have two dimensions");
-    H5Sget_simple_extent_dims(space_.get(), shape.data(), nullptr);
-    count = static_cast<std::int64_t>(shape[0]);
-    length = static_cast<std::int64_t>(shape[1]);
+    if (format::has_attribute(in_, name, format::schema::checksum))
+      checksum_ = format::read_bits(in_, name, format::schema::checksum);
   }
 
   void read(std::int64_t row, Row& into) override {
     const std::array<hsize_t, 2> start{static_cast<hsize_t>(row), 0}, counts{1, static_cast<hsize_t>(length)};
     const format::Space memory(H5Screate_simple(1, &counts[1], nullptr));
     H5Sselect_hyperslab(space_.get(), H5S_SELECT_SET, start.data(), nullptr, counts.data(), nullptr);
-    const format::Type type(H5Dget_type(dataset_.get()));
-    if (H5Tget_class(type.get()) != H5T_FLOAT) refuse(path_, "/snapshots must hold floating point numbers");
     if (H5Dread(dataset_.get(), H5T_NATIVE_DOUBLE, memory.get(), space_.get(), H5P_DEFAULT, into.data()) < 0)
       refuse(path_, "/snapshots cannot be read as numbers");
+    constexpr std::size_t vertex = 3 * sizeof(double);
+    const auto bytes = std::as_bytes(std::span(into.data(), static_cast<std::size_t>(length)));
+    if (length % 3 == 0) sum_ += format::checksum(bytes, vertex, row * length / 3);
+    if (row + 1 == count && checksum_ && *checksum_ != sum_)
+      refuse(path_, "/snapshots does not have the checksum it was written with: the file is damaged; write it again");
   }
 
  private:
+  static constexpr auto name = "/snapshots";
   std::filesystem::path path_;
-  format::File file_;
+  format::StoredFile in_;
   format::Dataset dataset_;
   format::Space space_;
+  std::optional<std::uint64_t> checksum_;
+  std::uint64_t sum_ = 0;
 };
 
 std::unique_ptr<Snapshots> open(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file) || std::filesystem::is_directory(file)) refuse(file, "there is no such file");
+  if (!std::filesystem::is_regular_file(file)) refuse(file, "that is not a regular file");
   if (file.extension() == ".npy") return std::make_unique<NumpySnapshots>(file);
   return std::make_unique<Hdf5Snapshots>(file);
 }

@@ -85,9 +85,12 @@ BasisSize basis_size(const ModelReader& in, std::string_view body) {
   if (columns < 0 || columns != static_cast<Index>(links(in, schema::join(group, schema::columns)).size()))
     fail(in, group, "does not have the " + std::to_string(columns) + " columns that it claims");
   if (columns == 0) return {0, 0};
-  const StoredArray first(in, column_path(group, 0));
-  first.expect({any, 3}, hdf5_type<double>());
-  return {first.rows(), columns};
+  const auto shape = stored_shape(in, column_path(group, 0));
+  if (shape.size() != 2 || shape[1] != 3) fail(in, column_path(group, 0), "is not a list of vectors");
+  const auto points = schema::join(schema::body_part(body, schema::geometry), schema::points);
+  if (exists(in, points) && stored_shape(in, points).front() != shape.front())
+    fail(in, group, "does not have the vertices of the geometry");
+  return {shape.front(), columns};
 }
 
 model::Basis read_basis(const ModelReader& in, const BasisSelection& selection, std::string_view body) {
@@ -107,6 +110,7 @@ model::Basis read_basis(const ModelReader& in, const BasisSelection& selection, 
     const StoredArray array(in, column_path(group, columns[j]));
     array.expect({size.vertices, 3}, hdf5_type<double>());
     array.read(low, block.rows(), block.data());
+    require_finite(in, column_path(group, columns[j]), {block.data(), static_cast<std::size_t>(block.size())});
     auto column = basis.U.col(static_cast<Eigen::Index>(j));
     for (std::size_t i = 0; i < vertices.size(); ++i)
       column.segment<3>(static_cast<Eigen::Index>(3 * i)) = block.row(vertices[i] - low).transpose();

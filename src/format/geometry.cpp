@@ -63,6 +63,31 @@ bool in_range(const std::vector<Index>& rows, Index count) {
   return std::ranges::all_of(rows, [=](Index row) { return 0 <= row && row < count; });
 }
 
+/// How many vertices a cell of this VTK type has; 0 for a type that no model has.
+Index cell_size(std::uint8_t vtk) {
+  switch (vtk) {
+    case 5: return 3;    // triangle
+    case 9: return 4;    // quadrangle
+    case 10: return 4;   // tetrahedron
+    case 12: return 8;   // hexahedron
+    case 22: return 6;   // curved triangle
+    case 24: return 10;  // curved tetrahedron
+    default: return 0;
+  }
+}
+
+void check_cell_sizes(const ModelReader& in, const std::string& group, const model::DrawnCells& cells) {
+  for (std::size_t c = 0; c < cells.vtk_types.size(); ++c) {
+    const auto size = cell_size(cells.vtk_types[c]);
+    const auto type = std::to_string(cells.vtk_types[c]);
+    if (size == 0) fail(in, schema::join(group, schema::cell_types), "has the unknown VTK type " + type);
+    if (const auto stored = cells.offsets[c + 1] - cells.offsets[c]; stored != size)
+      fail(in, schema::join(group, schema::cell_offsets),
+           "gives cell " + std::to_string(c + 1) + " of VTK type " + type + " " + std::to_string(stored) +
+               " vertices, not " + std::to_string(size));
+  }
+}
+
 model::DrawnCells read_cells(const ModelReader& in, const std::string& group, Index points) {
   model::DrawnCells cells;
   cells.vtk_types = read_vector<std::uint8_t>(in, schema::join(group, schema::cell_types));
@@ -74,6 +99,7 @@ model::DrawnCells read_cells(const ModelReader& in, const std::string& group, In
   if (cells.offsets.front() != 0 || cells.offsets.back() != entries || !std::ranges::is_sorted(cells.offsets))
     fail(in, offsets, "does not ascend from 0 to the number of entries of " + vertices);
   if (!in_range(cells.vertices, points)) fail(in, vertices, "names vertices that are not stored");
+  check_cell_sizes(in, group, cells);
   return cells;
 }
 
@@ -84,7 +110,11 @@ std::vector<model::VertexSet> read_sets(const ModelReader& in, const std::string
     const auto rows = schema::join(path, schema::set_rows);
     sets.push_back(
         {schema::name_of_link(link), read_vector<Index>(in, rows), read_index(in, path, schema::full_count)});
-    if (!in_range(sets.back().rows, points)) fail(in, rows, "names vertices that are not stored");
+    const auto& [name, stored, full_count] = sets.back();
+    if (!in_range(stored, points)) fail(in, rows, "names vertices that are not stored");
+    if (std::ranges::adjacent_find(stored, std::ranges::greater_equal{}) != stored.end())
+      fail(in, rows, "does not ascend");
+    if (full_count < std::ssize(stored)) fail(in, path, "stores more vertices than the set has");
   }
   return sets;
 }
@@ -98,8 +128,11 @@ std::vector<model::RegionMaterial> read_materials(const ModelReader& in, const s
   const auto young = read_vector<double>(in, schema::join(path, schema::young), count);
   const auto poisson = read_vector<double>(in, schema::join(path, schema::poisson), count);
   const auto density = read_vector<double>(in, schema::join(path, schema::density), count);
-  for (std::size_t i = 0; i < regions.size(); ++i)
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    const bool sound = young[i] > 0 && density[i] > 0 && poisson[i] > -1 && poisson[i] < 0.5;
+    if (!sound) fail(in, path, "gives region '" + regions[i] + "' a material that cannot be");
     materials.push_back({regions[i], {young[i], poisson[i], density[i]}});
+  }
   return materials;
 }
 
@@ -134,6 +167,7 @@ model::Geometry read_geometry(const ModelReader& in, std::string_view body) {
   geometry.full_vertices = read_index(in, group, schema::full_vertices);
   geometry.points = read_matrix(in, schema::join(group, schema::points), any, 3);
   const Index points = geometry.points.rows();
+  if (geometry.full_vertices < points) fail(in, group, "stores more vertices than the mesh has");
   geometry.vertex_ids = read_vector<Index>(in, schema::join(group, schema::vertex_ids), points);
   geometry.cells = read_cells(in, group, points);
   geometry.sets = read_sets(in, group, points);

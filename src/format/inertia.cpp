@@ -22,6 +22,9 @@ std::optional<model::Inertia> read_inertia(const ModelReader& in, std::string_vi
   inertia.gram = read_matrix(in, path, any, any);
   const auto size = inertia.gram.rows();
   if (size != inertia.gram.cols() || size < 4 || (size - 4) % 3 != 0) fail(in, path, "is not of the size 4 + 3r");
+  require(inertia.mass() > 0, in, group, "the mass is not a positive number");
+  require(inertia.gram.isApprox(inertia.gram.transpose(), 1e-12), in, group,
+          "the Gram matrix of the inertia is not symmetric");
   return inertia;
 }
 

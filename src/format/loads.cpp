@@ -26,10 +26,12 @@ std::vector<model::SetLoad> read_loads(const ModelReader& in, std::string_view b
     auto& load = loads.emplace_back();
     load.set = schema::name_of_link(link);
     load.vertices = read_index(in, group, schema::set_vertices);
+    if (load.vertices < 1) fail(in, group, "shares a force among no vertices");
     load.total = read_matrix(in, schema::join(group, schema::total), any, 3);
     load.has_surface = exists(in, schema::join(group, schema::pressure));
     if (!load.has_surface) continue;
     load.area = read_double(in, group, schema::area);
+    if (load.area < 0) fail(in, group, "has a negative area");
     load.pressure = read_column(in, schema::join(group, schema::pressure), load.total.rows());
     load.traction = read_matrix(in, schema::join(group, schema::traction), load.total.rows(), 3);
   }

@@ -1,4 +1,7 @@
+#include <algorithm>
+
 #include "read.hpp"
+#include "ritz/base/shown.hpp"
 #include "ritz/format/names.hpp"
 #include "ritz/format/parts.hpp"
 #include "write.hpp"
@@ -17,12 +20,26 @@ void write_certificate(const ModelWriter& out, const std::string& group, const m
   write_attribute(out, group, schema::found, certificate.found);
 }
 
+/// Rigid modes first, of λ = 0; then flexible ones, of ascending λ > 0.
+void check_order(const ModelReader& in, const std::string& group, const model::Modes& modes) {
+  const auto& values = modes.eigenvalues;
+  require(std::ranges::is_sorted(values), in, group, "the eigenvalues do not ascend");
+  require(std::ranges::is_sorted(modes.kinds), in, group, "a rigid mode stands after a flexible one");
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    const auto kind = modes.kinds[static_cast<std::size_t>(i)];
+    require(kind == model::ModeKind::rigid ? values[i] == 0 : values[i] > 0, in, group,
+            "mode " + std::to_string(i + 1) + " is " + std::string(name(kind)) + " with the eigenvalue " +
+                shown(values[i]));
+  }
+}
+
 model::Certificate read_certificate(const ModelReader& in, const std::string& group) {
   model::Certificate certificate;
   if (!parse(read_text(in, group, schema::certified), certificate.kind)) fail(in, group, "is of an unknown kind");
   certificate.shift = read_double(in, group, schema::shift);
   certificate.counted = read_index(in, group, schema::counted);
   certificate.found = read_index(in, group, schema::found);
+  require(certificate.counted >= 0 && certificate.found >= 0, in, group, "a number of modes is negative");
   return certificate;
 }
 
@@ -55,6 +72,10 @@ std::optional<model::Modes> read_modes(const ModelReader& in, std::string_view b
   for (const auto& text : read_texts(in, kinds))
     if (!parse(text, modes.kinds.emplace_back())) fail(in, kinds, "has an unknown kind of mode '" + text + "'");
   if (static_cast<Index>(modes.kinds.size()) != count) fail(in, kinds, "does not have one entry a mode");
+  check_order(in, group, modes);
+  require((modes.residuals.array() >= 0).all(), in, group, "a residual is negative");
+  require(std::ranges::all_of(modes.floor_applies, [](auto flag) { return flag <= 1; }), in, group,
+          "a flag of the rounding floor is neither 0 nor 1");
   modes.orthonormality = read_double(in, group, schema::orthonormality);
   modes.certificate = read_certificate(in, schema::join(group, schema::certificate));
   return modes;

@@ -20,6 +20,13 @@ Dataset create(hid_t file, const char* name, hid_t type, const Extent& shape, co
   return dataset;
 }
 
+/// One number of the type that it has in the file, on a little-endian machine.
+void write_number(hid_t object, const char* name, hid_t type, const void* value) {
+  const Space space(H5Screate(H5S_SCALAR));
+  const Attribute attribute(H5Acreate2(object, name, type, space.get(), H5P_DEFAULT, H5P_DEFAULT));
+  require_written(attribute && H5Awrite(attribute.get(), type, value) >= 0);
+}
+
 }  // namespace
 
 void require_written(bool good) {
@@ -35,9 +42,11 @@ void write_attribute(hid_t object, const char* name, const std::string& text) {
 }
 
 void write_attribute(hid_t object, const char* name, double value) {
-  const Space space(H5Screate(H5S_SCALAR));
-  const Attribute attribute(H5Acreate2(object, name, H5T_IEEE_F64LE, space.get(), H5P_DEFAULT, H5P_DEFAULT));
-  require_written(attribute && H5Awrite(attribute.get(), H5T_NATIVE_DOUBLE, &value) >= 0);
+  write_number(object, name, H5T_IEEE_F64LE, &value);
+}
+
+void write_attribute(hid_t object, const char* name, std::uint64_t value) {
+  write_number(object, name, H5T_STD_U64LE, &value);
 }
 
 Dataset create_floats(hid_t file, const char* name, const Extent& shape, const std::string& units) {

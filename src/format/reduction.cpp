@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <functional>
+
 #include "read.hpp"
 #include "ritz/format/parts.hpp"
 #include "write.hpp"
@@ -20,6 +23,11 @@ std::optional<model::Reduction> read_reduction(const ModelReader& in, std::strin
   reduction.stiffness = read_column(in, schema::join(group, schema::stiffness));
   reduction.singular_values = read_column(in, schema::join(group, schema::singular_values));
   reduction.discarded = read_double(in, group, schema::discarded);
+  const double rounding = reduction.stiffness.size() > 0 ? 1e-6 * reduction.stiffness.cwiseAbs().maxCoeff() : 0;
+  require((reduction.stiffness.array() >= -rounding).all(), in, group, "the diagonal of UᵀKU is negative");
+  require(std::ranges::is_sorted(reduction.stiffness), in, group, "the diagonal of UᵀKU does not ascend");
+  require(std::ranges::is_sorted(reduction.singular_values, std::ranges::greater{}), in, group,
+          "the singular values do not descend");
   return reduction;
 }
 

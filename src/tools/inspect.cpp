@@ -5,6 +5,7 @@
 
 #include "inspect_body.hpp"
 #include "inspect_text.hpp"
+#include "ritz/base/printable.hpp"
 #include "ritz/format/contents.hpp"
 #include "ritz/format/parts.hpp"
 
@@ -17,14 +18,15 @@ using Pairs = std::vector<std::pair<std::string, std::string>>;
 void describe_pairs(const char* title, const Pairs& pairs, std::ostream& out) {
   if (pairs.empty()) return;
   out << "  " << title << '\n';
-  for (const auto& [name, value] : pairs) out << "    " << padded(name, 36) << ' ' << value << '\n';
+  for (const auto& [name, value] : pairs)
+    out << "    " << padded(printable(name), 36) << ' ' << printable(value) << '\n';
 }
 
 void describe_provenance(const model::Provenance& p, std::ostream& out) {
   out << "\nprovenance\n";
-  out << "  program   " << p.program << " on " << p.ranks << (p.ranks == 1 ? " rank\n" : " ranks\n");
-  out << "  mesh      " << p.mesh_checksum << '\n';
-  out << "  problem   " << p.problem_checksum << '\n';
+  out << "  program   " << printable(p.program) << " on " << p.ranks << (p.ranks == 1 ? " rank\n" : " ranks\n");
+  out << "  mesh      " << printable(p.mesh_checksum) << '\n';
+  out << "  problem   " << printable(p.problem_checksum) << '\n';
   describe_pairs("versions", p.versions, out);
   describe_pairs("options", p.options, out);
 }
@@ -33,13 +35,14 @@ void describe_report(const model::Report& report, std::ostream& out) {
   if (report.seconds.empty() && report.figures.empty() && report.notes.empty()) return;
   out << "\nreport\n";
   for (const auto& [stage, seconds] : report.seconds)
-    out << "  " << padded(stage, 38) << ' ' << duration(seconds) << '\n';
-  for (const auto& [name, value] : report.figures) out << "  " << padded(name, 38) << ' ' << text("%.10g\n", value);
-  for (const auto& note : report.notes) out << "  note: " << note << '\n';
+    out << "  " << padded(printable(stage), 38) << ' ' << duration(seconds) << '\n';
+  for (const auto& [name, value] : report.figures)
+    out << "  " << padded(printable(name), 38) << ' ' << text("%.10g\n", value);
+  for (const auto& note : report.notes) out << "  note: " << printable(note) << '\n';
 }
 
 void describe_body(const format::ModelReader& in, const std::string& name, std::ostream& out) {
-  out << "\nbody '" << name << "'\n";
+  out << "\nbody '" << printable(name) << "'\n";
   if (in.has(format::schema::geometry, name)) describe_geometry(format::read_geometry(in, name), out);
   if (in.has(format::schema::basis, name)) describe_basis(format::basis_size(in, name), out);
   if (const auto modes = format::read_modes(in, name)) describe_modes(*modes, out);
@@ -64,7 +67,8 @@ std::vector<Line> dataset_lines(const std::vector<format::DatasetInfo>& datasets
     do bytes += datasets[last++].bytes;
     while (is_column(parent) && last < datasets.size() && datasets[last].path.starts_with(parent + "/"));
     const auto range = last - first == 1 ? d.path : d.path + " … " + datasets[last - 1].path.substr(parent.size() + 1);
-    lines.push_back({range, shape_text(d.shape), d.is_virtual ? "a view" : byte_size(bytes), d.units});
+    lines.push_back(
+        {printable(range), shape_text(d.shape), d.is_virtual ? "a view" : byte_size(bytes), printable(d.units)});
   }
   return lines;
 }
@@ -85,7 +89,7 @@ void describe(const format::ModelReader& in, std::ostream& out) {
   const auto datasets = format::contents(in);
   std::uint64_t bytes = 0;
   for (const auto& d : datasets) bytes += d.bytes;
-  out << in.name() << ": a ritz model, format " << format::schema::major << '.' << in.minor_version() << ", "
+  out << printable(in.name()) << ": a ritz model, format " << format::schema::major << '.' << in.minor_version() << ", "
       << datasets.size() << " datasets, " << byte_size(bytes) << " of data\n";
   for (const auto& name : in.bodies()) describe_body(in, name, out);
   describe_provenance(format::read_provenance(in), out);

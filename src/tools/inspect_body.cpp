@@ -7,6 +7,7 @@
 #include <ostream>
 
 #include "inspect_text.hpp"
+#include "ritz/base/printable.hpp"
 #include "ritz/format/names.hpp"
 
 namespace ritz::tools {
@@ -52,10 +53,10 @@ void describe_geometry(const model::Geometry& g, std::ostream& out) {
                       low[2], high[2]);
   }
   for (const auto& [region, m] : g.materials)
-    item(out) << "material " << padded(region, 16)
+    item(out) << "material " << padded(printable(region), 16)
               << text(" E %.6g Pa, ν %.6g, ρ %.6g kg/m³\n", m.young, m.poisson, m.density);
   for (const auto& set : g.sets) {
-    item(out) << "set      " << padded(set.name, 16) << ' ' << grouped(set.full_count) << " vertices";
+    item(out) << "set      " << padded(printable(set.name), 16) << ' ' << grouped(set.full_count) << " vertices";
     if (std::ssize(set.rows) < set.full_count) out << ", " << grouped(std::ssize(set.rows)) << " stored";
     out << '\n';
   }
@@ -134,7 +135,7 @@ void describe_loads(const std::vector<model::SetLoad>& loads, std::ostream& out)
   if (loads.empty()) return;
   out << heading("loads") << "on " << loads.size() << " sets\n";
   for (const auto& load : loads) {
-    item(out) << padded(load.set, 16) << ' ' << grouped(load.vertices) << " vertices";
+    item(out) << padded(printable(load.set), 16) << ' ' << grouped(load.vertices) << " vertices";
     if (load.has_surface) out << text(", surface of %.6g m²", load.area);
     out << '\n';
   }

@@ -9,12 +9,19 @@
 #include "inspect.hpp"
 #include "inspect_check.hpp"
 #include "ritz/base/error.hpp"
+#include "ritz/base/printable.hpp"
 
 namespace {
 
 int fail(int code, const std::string& message) {
-  std::cerr << "ritz-inspect: " << message << '\n';
+  std::cerr << "ritz-inspect: " << ritz::printable(message) << '\n';
   return code;
+}
+
+/// What was said must have arrived: a script may act on it.
+int said() {
+  if (std::cout.flush()) return ritz::exit_done;
+  return fail(ritz::exit_numerical, "standard output could not be written: is it closed, or the disk full?");
 }
 
 }  // namespace
@@ -32,9 +39,10 @@ int main(int argc, char** argv) {
     tools::parse(app, argc, argv);
     const format::ModelReader in{std::filesystem::path(path)};
     check ? tools::check(in, std::cout) : tools::describe(in, std::cout);
-    return exit_done;
+    return said();
   } catch (const CLI::CallForHelp& help) {
-    return app.exit(help);
+    app.exit(help);
+    return said();
   } catch (const InputError& error) {
     return fail(exit_input, error.what());
   } catch (const std::bad_alloc&) {

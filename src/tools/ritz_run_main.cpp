@@ -5,13 +5,14 @@
 #include <new>
 
 #include "ritz/base/error.hpp"
+#include "ritz/base/printable.hpp"
 #include "ritz/files/interruption.hpp"
 #include "run.hpp"
 
 namespace {
 
 int fail(int code, const char* message) {
-  std::cerr << "ritz-run: " << message << '\n';
+  std::cerr << "ritz-run: " << ritz::printable(message) << '\n';
   return code;
 }
 

@@ -11,6 +11,7 @@
 #include "inside_out.hpp"
 #include "ritz/base/counted.hpp"
 #include "ritz/base/error.hpp"
+#include "ritz/base/printable.hpp"
 #include "ritz/base/shown.hpp"
 #include "ritz/files/claim.hpp"
 #include "ritz/files/names.hpp"
@@ -112,7 +113,7 @@ void run_scene(const RunOptions& options, const format::ModelReader& in, std::os
   if (const auto text = overdamped(scene.damping); !text.empty()) err << "ritz-run: warning: " << text << '\n';
   const Cost cost = run_analysis(options, scene, body, recorder);
   recorder.commit(names);
-  if (!cost.warning.empty()) err << "ritz-run: warning: " << cost.warning << '\n';
+  if (!cost.warning.empty()) err << "ritz-run: warning: " << printable(cost.warning) << '\n';
   if (options.voice == Voice::quiet) return;
   say_cost(cost, scene, body, out);
   out << frame_states.size() << " frames in " << options.output.string() << '\n';

@@ -5,8 +5,9 @@
 #include "format/expect_same.hpp"
 #include "format/temporary.hpp"
 #include "ritz/base/error.hpp"
+#include "ritz/base/random.hpp"
 #include "ritz/format/contents.hpp"
-#include "ritz/format/parts.hpp"
+#include "ritz/format/sound.hpp"
 #include "support/sample_model.hpp"
 
 namespace ritz::format {
@@ -66,6 +67,27 @@ TEST(Damage, InAnyByteIsFoundOrHarmless) {
   EXPECT_GT(found, static_cast<int>(intact.size()) / 17 / 3);
 }
 
+/// The fewest bytes that a disk loses at once, and bytes of no sense in their place.
+TEST(Damage, InAnyBlockIsFoundOrHarmless) {
+  const auto intact = sample_bytes();
+  constexpr std::size_t sector = 512, stride = 128;
+  int found = 0;
+  for (std::size_t at = 0; at < intact.size(); at += stride)
+    for (const unsigned seed : {0U, 1U}) {
+      auto damaged = intact;
+      for (std::size_t i = at; i < std::min(at + sector, intact.size()); ++i)
+        damaged[i] = seed == 0 ? std::byte{0} : static_cast<std::byte>(split_mix(i) >> 32);
+      try {
+        const ModelReader in(damaged);
+        check(in);
+        test::expect_same(read(in), test::sample_model());
+      } catch (const InputError&) {
+        ++found;
+      }
+    }
+  EXPECT_GT(found, static_cast<int>(intact.size() / stride));
+}
+
 TEST(Damage, ByTruncationIsFoundAtAnyLength) {
   const auto intact = sample_bytes();
   for (std::size_t length = 0; length < intact.size(); length += 1 + length / 50)
@@ -118,7 +140,10 @@ TEST(Damage, ByMissingAttributesIsFoundAndNamed) {
 void replace(hid_t file, const std::string& path, std::vector<hsize_t> dims, hid_t type) {
   H5Ldelete(file, path.c_str(), H5P_DEFAULT);
   const Space space(H5Screate_simple(static_cast<int>(dims.size()), dims.data(), nullptr));
-  const Dataset made(H5Dcreate2(file, path.c_str(), type, space.get(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+  const Properties stored(H5Pcreate(H5P_DATASET_CREATE));
+  const bool small = dims.empty() || dims.front() < 1'000;
+  H5Pset_alloc_time(stored.get(), small ? H5D_ALLOC_TIME_EARLY : H5D_ALLOC_TIME_LATE);
+  const Dataset made(H5Dcreate2(file, path.c_str(), type, space.get(), H5P_DEFAULT, stored.get(), H5P_DEFAULT));
 }
 
 TEST(Damage, ByWrongShapesIsFoundAndNamed) {

@@ -16,6 +16,7 @@ void require_written(bool good);
 
 void write_attribute(hid_t object, const char* name, const std::string& text);
 void write_attribute(hid_t object, const char* name, double value);
+void write_attribute(hid_t object, const char* name, std::uint64_t value);
 
 /// A new dataset of 64-bit floats with the attribute "units".
 Dataset create_floats(hid_t file, const char* name, const Extent& shape, const std::string& units);

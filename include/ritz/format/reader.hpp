@@ -7,34 +7,32 @@
 #include <string_view>
 #include <vector>
 
-#include "ritz/format/handle.hpp"
 #include "ritz/format/schema.hpp"
+#include "ritz/format/stored_file.hpp"
 
 namespace ritz::format {
 
-/// An open model. Opening checks that it is a complete HDF5 file, a ritz model, and of a version this library reads.
-class ModelReader {
+/// An open model. Opening checks that it is a complete HDF5 file, a ritz model, of a version this library reads, and
+/// that every dataset in it is kept as ritz writes them (see survey).
+class ModelReader : public StoredFile {
  public:
-  /// Throws InputError: no such file, a folder, a half-written .part, not HDF5, truncated, not a model, too new.
+  /// Throws InputError: as StoredFile, and for what is not a model, or too new.
   explicit ModelReader(const std::filesystem::path& path);
   /// The same from the file's bytes (which are copied); `name` stands for the path in messages.
   explicit ModelReader(std::span<const std::byte> image, std::string name = "model in memory");
 
   /// The names of the bodies in the file.
   std::vector<std::string> bodies() const;
+  /// Throws InputError when there is none.
+  std::string first_body() const;
   /// Whether body `body` has part `part`: schema::geometry, basis, modes, reduction, polynomial, inertia or loads.
   bool has(std::string_view part, std::string_view body = schema::default_body) const;
 
-  hid_t file() const { return file_.get(); }
-  /// What messages call it.
-  const std::string& name() const { return name_; }
   int minor_version() const { return minor_; }
 
  private:
   void check_root();
 
-  std::string name_;
-  File file_;
   int minor_ = 0;
 };
 

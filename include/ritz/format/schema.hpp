@@ -25,6 +25,7 @@ inline constexpr std::string_view provenance = "/provenance";
 inline constexpr std::string_view bodies = "/bodies";
 inline constexpr std::string_view report = "/report";
 inline constexpr std::string_view vtkhdf = "/VTKHDF";
+inline constexpr std::array<std::string_view, 4> roots = {bodies, provenance, report, vtkhdf};
 inline constexpr std::string_view geometry = "geometry";
 inline constexpr std::string_view basis = "basis";
 inline constexpr std::string_view modes = "modes";

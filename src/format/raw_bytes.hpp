@@ -1,0 +1,41 @@
+// A file's bytes as HDF5's driver holds them, and the little-endian numbers in them.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "hdf5.hpp"
+#include "raw_header.hpp"
+
+namespace ritz::format {
+
+[[noreturn]] void bad_header();
+
+/// An open file of HDF5's POSIX or in-memory driver.
+class RawFile {
+ public:
+  explicit RawFile(hid_t file);
+  std::uint64_t size() const { return size_; }
+  /// Throws BadHeader where the file has not got them, or for more than 64 MB.
+  std::vector<unsigned char> bytes(std::uint64_t at, std::uint64_t count) const;
+
+ private:
+  hsize_t size_ = 0;
+  const unsigned char* memory_ = nullptr;
+  int descriptor_ = -1;
+};
+
+/// Takes one thing after the other. Throws BadHeader past the end.
+class Cursor {
+ public:
+  explicit Cursor(std::span<const unsigned char> bytes) : left_(bytes) {}
+
+  std::size_t size() const { return left_.size(); }
+  std::span<const unsigned char> take(std::size_t count);
+  std::uint64_t number(std::size_t bytes);
+
+ private:
+  std::span<const unsigned char> left_;
+};
+
+}  // namespace ritz::format
