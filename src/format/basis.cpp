@@ -88,8 +88,11 @@ BasisSize basis_size(const ModelReader& in, std::string_view body) {
   const auto shape = stored_shape(in, column_path(group, 0));
   if (shape.size() != 2 || shape[1] != 3) fail(in, column_path(group, 0), "is not a list of vectors");
   const auto points = schema::join(schema::body_part(body, schema::geometry), schema::points);
-  if (exists(in, points) && stored_shape(in, points).front() != shape.front())
-    fail(in, group, "does not have the vertices of the geometry");
+  if (exists(in, points)) {
+    const auto places = stored_shape(in, points);
+    if (places.size() != 2 || places[1] != 3) fail(in, points, "is not a list of places");
+    if (places.front() != shape.front()) fail(in, group, "does not have the vertices of the geometry");
+  }
   return {shape.front(), columns};
 }
 

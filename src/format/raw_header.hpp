@@ -32,8 +32,9 @@ struct BadHeader : std::runtime_error {
 /// The header at `address` (as H5O_info_t gives it). Throws BadHeader.
 RawHeader raw_header(hid_t file, std::uint64_t address);
 
-/// Whether the global heap collection at `address` ends where it says and has the object `index`. It has no checksum,
-/// and HDF5 1.10 walks a damaged one for ever.
-bool sound_heap(hid_t file, std::uint64_t address, std::uint32_t index);
+/// Whether object `index` of the global heap collection at `address` is a view's mapping with the checksum that it was
+/// written with. The heap itself has none: HDF5 1.10 walks a damaged one for ever, and follows a damaged mapping beyond
+/// its end before it looks at the checksum.
+bool sound_mapping(hid_t file, std::uint64_t address, std::uint32_t index);
 
 }  // namespace ritz::format

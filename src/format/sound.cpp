@@ -81,6 +81,7 @@ void check_complete(const ModelReader& in, std::string_view body) {
   const auto geometry = schema::body_part(body, schema::geometry);
   require(exists(in, schema::join(geometry, schema::materials)), in, geometry, "the materials are missing");
   require(in.has(schema::inertia, body), in, geometry, "the inertia is missing");
+  check_shapes(in, body);
   const auto basis = schema::body_part(body, schema::basis);
   const auto numbered = numbered_columns(in, body);
   require(numbered.has_value(), in, basis, "the modes are missing");
@@ -88,7 +89,6 @@ void check_complete(const ModelReader& in, std::string_view body) {
   require(columns > 0, in, basis, "there is no column, so nothing can move");
   require(*numbered == columns, in, basis,
           "there are " + std::to_string(*numbered) + " modes for " + std::to_string(columns) + " columns of U");
-  check_shapes(in, body);
   check_targets(in, body);
 }
 

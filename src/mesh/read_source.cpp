@@ -5,17 +5,11 @@
 #include <system_error>
 
 #include "ritz/base/error.hpp"
+#include "ritz/base/printable.hpp"
 
 namespace ritz::mesh {
 
 namespace {
-
-// A message may quote a damaged file; it stays one readable line.
-std::string readable(std::string message) {
-  std::replace_if(
-      message.begin(), message.end(), [](unsigned char c) { return c < ' ' || c == 127; }, '?');
-  return message;
-}
 
 // A mesh file may include any file that the user can read; a message shows nothing that stands in quotes of such a
 // file, except what it tells the user to say.
@@ -65,11 +59,11 @@ std::string located(const Sources& sources, Place place) {
 }
 
 void fail(const Sources& sources, Place place, const std::string& message) {
-  throw InputError(located(sources, place) + readable(place.file == 0 ? message : without_quotes(message)));
+  throw InputError(located(sources, place) + printable(place.file == 0 ? message : without_quotes(message)));
 }
 
 void fail(const Sources& sources, const std::string& message) {
-  throw InputError(sources.front().path.string() + ": " + readable(message));
+  throw InputError(sources.front().path.string() + ": " + printable(message));
 }
 
 std::string_view trimmed(std::string_view text) {

@@ -70,6 +70,7 @@ class ParallelWrite : public testing::TestWithParam<H5FD_mpio_xfer_t> {
 model::Model larger_model() {
   auto model = test::sample_model();
   auto& body = model.body;
+  body.geometry.full_vertices = 101;
   body.geometry.points = model::Points::NullaryExpr(101, 3, [](auto i, auto j) { return double(i) + 0.1 * double(j); });
   body.geometry.vertex_ids.resize(101);
   for (std::size_t i = 0; i < 101; ++i) body.geometry.vertex_ids[i] = static_cast<Index>(3 * i + 7);

@@ -65,8 +65,7 @@ TEST(Structure, OfNumbersThatAreNotInTheFileIsRefused) {
   };
   expect_refused(with({2}), energies, "not in the file");
   expect_refused(with({hsize_t{1} << 40}), energies, "larger than the file");
-  expect_refused(with({hsize_t{1} << 62}), energies, "larger than");
-  expect_refused(with({hsize_t{1} << 31, hsize_t{1} << 31}), energies, "larger than the file");
+  expect_refused(with({hsize_t{1} << 30, hsize_t{1} << 30}), energies, "larger than the file");
 }
 
 TEST(Structure, OfLinksToElsewhereIsRefused) {
@@ -112,8 +111,10 @@ TEST(Structure, OfForeignObjectsAndTypesIsRefused) {
       const auto early = creation();
       H5Pset_alloc_time(early.get(), H5D_ALLOC_TIME_EARLY);
       const Dataset made(H5Dcreate2(file, energies.c_str(), type, space.get(), H5P_DEFAULT, early.get(), H5P_DEFAULT));
+      const test::Bytes zeros(16);
+      if (H5Tget_class(type) <= H5T_FLOAT) H5Dwrite(made.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, zeros.data());
       test::attach_units(made.get());
-      test::attach(made.get(), "checksum", checksum(std::as_bytes(std::span(std::array{0., 0.})), 8));
+      test::attach(made.get(), "checksum", checksum(zeros, 8));
     };
   };
   const Type variable(H5Tvlen_create(H5T_IEEE_F64LE)), compound(H5Tcreate(H5T_COMPOUND, 8));

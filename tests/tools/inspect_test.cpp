@@ -117,7 +117,7 @@ TEST_F(Inspect, FindsWhatIsWrong) {
   wrong("not a finite", [](auto& b) { b.basis.U(0, 0) = std::numeric_limits<double>::infinity(); });
   wrong("not a finite", [](auto& b) { b.modes->residuals[0] = std::numeric_limits<double>::quiet_NaN(); });
   wrong("3 eigenvalues lie below the shift, but 2", [](auto& b) { b.modes->certificate.counted = 3; });
-  wrong("UᵀMU differs from I by 2.0e-12", [](auto& b) { b.inertia->gram(8, 8) += 2e-12; });
+  wrong("UᵀMU differs from I by 2e-12", [](auto& b) { b.inertia->gram(8, 8) += 2e-12; });
   wrong("not symmetric", [](auto& b) { b.inertia->gram(0, 8) += 1; });
   wrong("mass is not", [](auto& b) { b.inertia->gram(0, 0) = -1; });
   wrong("the materials are missing", [](auto& b) { b.geometry.materials.clear(); });
@@ -131,6 +131,38 @@ TEST_F(Inspect, FindsWhatIsWrong) {
   wrong("the load on the set 'tip' is missing", [](auto& b) { b.loads.erase(b.loads.begin()); });
   wrong("the set 'tip' is missing", [](auto& b) { b.geometry.sets.erase(b.geometry.sets.begin()); });
   wrong("columns of the basis", [](auto& b) { b.basis.U = model::RowMatrix::Zero(12, 3); });
+}
+
+TEST_F(Inspect, ShowsNamesWithoutEffectOnATerminal) {
+  auto model = test::sample_model();
+  model.body.name = "a\x1b[2Jbody";
+  model.body.geometry.sets[0].name = model.body.loads[0].set = "\x1b]0;title\x07";
+  model.body.geometry.materials[0].region = "red\x1b[31m";
+  model.provenance.program =
+      "\xc2\x9b"
+      "31m";
+  model.provenance.options[0] = {"-mesh\x1b", "two\rmasses"};
+  model.report.notes[0] = "a\nline";
+  const auto told = described(model);
+  for (const auto* shown : {"a\\x1b[2Jbody", "\\x1b]0;title\\x07", "red\\x1b[31m", "\\xc2\\x9b31m", "two\\x0dmasses",
+                            "-mesh\\x1b", "a\\x0aline", "größer als nötig"})
+    EXPECT_THAT(told, HasSubstr(shown));
+  for (const auto* never : {"\x1b", "\x07", "\r", "\xc2\x9b"}) EXPECT_THAT(told, Not(HasSubstr(never)));
+}
+
+TEST_F(Inspect, SaysThatItsOutputWasNotWritten) {
+  const auto model = folder_ / "model.h5", log = folder_ / "log";
+  format::write(model, test::sample_model());
+  const auto name = model.string();
+  for (const auto& arguments :
+       {name + " >/dev/full", name + " --check >/dev/full", name + " >&-", "--help >/dev/full"}) {
+    const auto command = std::string(RITZ_BIN) + "/ritz-inspect " + arguments + " 2>" + log.string();
+    EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), exit_numerical) << arguments;
+    const auto bytes = test::load(log);
+    const std::string said(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    EXPECT_THAT(said, HasSubstr("standard output could not be written"));
+    EXPECT_EQ(std::ranges::count(said, '\n'), 1);
+  }
 }
 
 TEST_F(Inspect, IsAProgramWithExitCodes) {

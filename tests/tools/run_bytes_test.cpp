@@ -31,12 +31,15 @@ class BytesRead : public testing::Test {
     auto& body = model.body;
     body.basis.U = model::RowMatrix::Identity(12, r);
     body.modes.reset();
-    body.inertia.reset();
+    body.inertia->gram = Eigen::MatrixXd::Identity(4 + 3 * r, 4 + 3 * r);
     body.loads.clear();
+    body.geometry.sets.clear();
     body.reduction = model::Reduction{Eigen::VectorXd::LinSpaced(r, 1, 2), Eigen::VectorXd::Ones(r), 0};
     body.polynomial =
         model::Polynomial{r, Eigen::VectorXd::Ones(r * (r + 1) / 2),
                           Eigen::VectorXd::Ones(r * (r + 1) / 2 * (r + 2) / 3), Eigen::VectorXd::Random(coefficients)};
+    for (Eigen::Index i = 0, at = 0; i < r; ++i)  // K̃(0) = UᵀKU
+      for (Eigen::Index j = i; j < r; ++j) body.polynomial->quadratic[at++] = i == j ? body.reduction->stiffness[i] : 0;
     format::write(path_, model);
   }
 

@@ -195,9 +195,10 @@ TEST(RunRefuses, PartsThatAreMissingOrDoNotFit) {
   const std::string time = "[time]\nstep = 1\nend = 1\n";
   auto model = test::sample_model();
   model.body.inertia.reset();
-  expect_refusal(folder, folder.prepare("gravity = [0, 0, 1]\n" + time, model), "no inertia");
+  expect_refusal(folder, folder.prepare("gravity = [0, 0, 1]\n" + time, model), "the inertia is missing");
+  model = test::sample_model();
   model.body.modes.reset();
-  expect_refusal(folder, folder.prepare(time, model), "no modes");
+  expect_refusal(folder, folder.prepare(time, model), "the modes are missing");
 }
 
 TEST(RunRefuses, OutputsThatCannotBe) {

@@ -1,4 +1,6 @@
 """What the nonlinear stages refuse: sizes that do not fit together, and snapshots that are none."""
+import os
+
 import h5py
 import numpy as np
 
@@ -24,6 +26,30 @@ def hdf5(name, array):
         with h5py.File(path, "w") as file:
             file[name] = array
     return make
+
+
+def bomb(path):
+    """Numbers by the terabyte, in a file of some hundred bytes."""
+    with h5py.File(path, "w") as file:
+        file.create_dataset("snapshots", (2**40, NUMBERS), "f8", chunks=(1, NUMBERS), fillvalue=1, compression="gzip")
+
+
+def view_of_itself(path):
+    with h5py.File(path, "w") as file:
+        layout = h5py.VirtualLayout((2, NUMBERS), "f8")
+        layout[...] = h5py.VirtualSource(".", "snapshots", (2, NUMBERS))
+        file.create_virtual_dataset("snapshots", layout)
+
+
+def elsewhere(path):
+    with h5py.File(path, "w") as file:
+        file.create_dataset("snapshots", (2, NUMBERS), "f8", external=[("numbers", 0, 16 * NUMBERS)])
+
+
+def behind_a_link(path):
+    with h5py.File(path, "w") as file:
+        file["numbers"] = GOOD
+        file["snapshots"] = h5py.SoftLink("/numbers")
 
 
 def snapshots(name, make, *says, file="s.npy"):
@@ -62,6 +88,11 @@ SNAPSHOTS = [
     snapshots("in single precision", npy(GOOD.astype("f4")), "float64"),
     snapshots("column by column", npy(GOOD, fortran=True), "C order"),
     snapshots("of one dimension", npy(GOOD[0]), "two dimensions"),
+    snapshots("of three dimensions", npy(GOOD.reshape(2, 12, 3)), "two dimensions"),
+    snapshots("of three dimensions, the last of one", npy(GOOD.reshape(2, NUMBERS, 1)), "two dimensions"),
+    snapshots("in the other order of bytes", npy(GOOD.astype(">f8")), "float64"),
+    snapshots("that are longer than they say", npy(GOOD, rows=1), "longer"),
+    snapshots("that are a pipe", os.mkfifo, "regular file"),
     snapshots("that are text", "1 2 3\n", ".npy"),
     snapshots("that are cut", npy(GOOD, cut=8), "snapshot 2"),
     snapshots("that promise 10^11 rows", npy(GOOD, rows=10**11), "ends"),
@@ -71,6 +102,10 @@ SNAPSHOTS = [
     snapshots("under another name", hdf5("states", GOOD), "/snapshots", file="s.h5"),
     snapshots("of HDF5 of the wrong length", hdf5("snapshots", GOOD[:, 1:]), "35", "36", file="s.h5"),
     snapshots("of HDF5 of words", hdf5("snapshots", np.full((1, NUMBERS), b"a")), file="s.h5"),
+    snapshots("of HDF5 that are not there", bomb, "larger", file="s.h5"),
+    snapshots("of HDF5 that are a view of themselves", view_of_itself, "view", file="s.h5"),
+    snapshots("of HDF5 in another file", elsewhere, "other files", file="s.h5"),
+    snapshots("of HDF5 behind a link", behind_a_link, "link", file="s.h5"),
     snapshots("of HDF5 of three dimensions", hdf5("snapshots", GOOD.reshape(2, 12, 3)), "two dimensions", file="s.h5"),
 ]
 

@@ -1,5 +1,12 @@
 """What ritz-full refuses: scenes at odds with the mesh or with what the full model can do, and its own options."""
-from runner import Case
+import subprocess
+import tempfile
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+from runner import BIN, Case
 
 WORDS = ["-mesh", "box:1,1,1/2,1,1/tet4", "-material_young", "1e6", "-material_poisson", ".3", "-material_density",
          "1000", "-fix", "xmin"]
@@ -7,9 +14,75 @@ TIME = "[time]\nstep = 0.01\nend = 0.02\n"
 LOAD = '[[load]]\nset = "xmax"\ntotal = [0, 0, 1]\n'
 
 
-def bad(name, scene, *says, words=(), files=(), code=2):
-    return Case(f"ritz-full: {name}", [*WORDS, "-scene", "scene.toml", *words], says, {"scene.toml": scene, **dict(files)},
-                "ritz-full", code=code)
+def bad(name, scene, *says, words=(), code=2, files=None):
+    return Case(f"ritz-full: {name}", [*WORDS, "-scene", "scene.toml", *words], says,
+                {"scene.toml": scene} | (files or {}), "ritz-full", code=code)
+
+
+def make_motion():
+    with tempfile.TemporaryDirectory() as folder:
+        (Path(folder) / "scene.toml").write_text(TIME + LOAD)
+        subprocess.run([BIN / "ritz-full", *WORDS, "-scene", "scene.toml"], cwd=folder, check=True, capture_output=True)
+        return (Path(folder) / "full.h5").read_bytes()
+
+
+MOTION = make_motion()
+
+
+def restart(name, change, *says):
+    """A restart from a motion with `change` done to it through HDF5."""
+    def make(path):
+        path.write_bytes(MOTION)
+        with h5py.File(path, "r+") as file:
+            change(file)
+    return bad(f"a restart from {name}", TIME.replace("0.02", "0.04") + LOAD, "-restart old.h5", *says,
+               words=["-restart", "old.h5"], files={"old.h5": make})
+
+
+def state(name, value):
+    return lambda file: file["state"].attrs.__setitem__(name, value)
+
+
+def moved(file):
+    vectors = file["state/displacement"][()]
+    vectors[3, 2] += 1e-3
+    file["state/displacement"][...] = vectors
+
+
+def vectors(name, make):
+    def change(file):
+        array = make(file[name][()])
+        del file[name]
+        file[name] = array
+    return change
+
+
+def view_of_itself(file):
+    name, shape = "state/velocity", file["state/velocity"].shape
+    layout = h5py.VirtualLayout(shape, "f8")
+    layout[...] = h5py.VirtualSource(".", name, shape)
+    del file[name]
+    file.create_virtual_dataset(name, layout)
+
+
+RESTARTS = [
+    restart("NaN energies", state("kinetic", np.nan), "kinetic", "finite"),
+    restart("energies without end", state("work", np.inf), "work", "finite"),
+    restart("a negative time", state("t", -1.0), "negative"),
+    restart("an array for a time", state("t", np.arange(5000.0)), "'t'"),
+    restart("two kinds", state("kind", [b"moving"] * 5000), "'kind'"),
+    restart("an unknown kind", state("kind", np.bytes_("zzz")), "kind 'zzz'"),
+    restart("an unknown integrator", state("integrator", np.bytes_("zzz")), "integrator 'zzz'"),
+    restart("a text of any length", state("integrator", "avf"), "'integrator'"),
+    restart("a checksum of many numbers", state("problem_checksum", np.array([b"x" * 16] * 4000)), "'problem_checksum'"),
+    restart("a displacement that was changed", moved, "displacement", "checksum"),
+    restart("NaN in the velocity", vectors("state/velocity", lambda v: v * np.nan), "velocity", "finite"),
+    restart("too few displacements", vectors("state/displacement", lambda u: u[:-1]), "displacement"),
+    restart("displacements in single precision", vectors("state/displacement", lambda u: u.astype("f4")), "displacement"),
+    restart("no accelerations", lambda file: file["state"].__delitem__("acceleration"), "acceleration", "missing"),
+    restart("a velocity that is a view of itself", view_of_itself, "velocity", "view"),
+    restart("no state", lambda file: file.__delitem__("state"), "no last state"),
+]
 
 
 CASES = [
@@ -58,3 +131,5 @@ CASES = [
     bad("a load beyond a limit point", "[static]\nsteps = 2\n" + LOAD.replace("[0, 0, 1]", "[-1e9, 0, 0]"),
         "load fraction", "residual", code=1),
 ]
+
+CASES += RESTARTS

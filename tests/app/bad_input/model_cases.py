@@ -4,6 +4,7 @@ import tempfile
 from pathlib import Path
 
 import h5py
+import numpy as np
 
 from option_cases import WHOLE
 from runner import BIN, Case
@@ -49,6 +50,60 @@ def replace(name, value):
     return changed(change)
 
 
+def split_mix(x):
+    x = x + np.uint64(0x9E3779B97F4A7C15)
+    x = (x ^ (x >> np.uint64(30))) * np.uint64(0xBF58476D1CE4E5B9)
+    x = (x ^ (x >> np.uint64(27))) * np.uint64(0x94D049BB133111EB)
+    return x ^ (x >> np.uint64(31))
+
+
+def checksum(array):
+    """As src/format/README.md has it, of rows of whole words."""
+    rows = np.ascontiguousarray(array).view(np.uint8).reshape(len(array), -1)
+    rows = np.pad(rows, ((0, 0), (0, -rows.shape[1] % 8))).view(np.uint64)
+    with np.errstate(over="ignore"):
+        value = split_mix(np.arange(len(array), dtype=np.uint64))
+        for word in rows.T:
+            value = split_mix(value ^ word)
+        return value.sum(dtype=np.uint64)
+
+
+def stored(name, make):
+    """make(array) in the place of a dataset, with the checksum that it has."""
+    def change(file):
+        attributes = dict(file[name].attrs)
+        array = np.asarray(make(file[name][()]))
+        del file[name]
+        file[name] = array
+        file[name].attrs.update(attributes | {"checksum": checksum(array)})
+    return changed(change)
+
+
+def at(index, value):
+    def make(array):
+        array.flat[index] = value
+        return array
+    return make
+
+
+def view_of_itself(name):
+    def change(file):
+        shape, units = file[name].shape, file[name].attrs["units"]
+        layout = h5py.VirtualLayout(shape, "f8")
+        layout[...] = h5py.VirtualSource(".", name, shape)
+        del file[name]
+        file.create_virtual_dataset(name, layout).attrs["units"] = units
+    return changed(change)
+
+
+def without_heap(path):
+    """Zeros in the heap that the view basis/U needs, for which HDF5 has no checksum."""
+    damaged = bytearray(MODEL)
+    at = damaged.index(b"GCOL")
+    damaged[at + 16:at + 512] = bytes(496)
+    path.write_bytes(damaged)
+
+
 def set_attribute(name, value):
     return changed(lambda file: file.attrs.modify(name, value))
 
@@ -87,6 +142,14 @@ DAMAGED = [
     ("a model of a word for eigenvalues", replace(BODY + "modes/eigenvalues", "word"), "eigenvalues", "single value"),
     ("a model of a word for regions", replace(BODY + "geometry/materials/regions", "word"), "regions", "single value"),
     ("a model of too few eigenvalues", replace(BODY + "modes/eigenvalues", [1.0]), "modes"),
+    ("a model of longer columns", stored(BODY + "basis/columns/0001", lambda a: np.concatenate([a] * 60)), "basis"),
+    ("a model of NaN in U", stored(BODY + "basis/columns/0002", at(15, np.nan)), "columns/0002", "finite"),
+    ("a model of a cell cut short", stored(BODY + "geometry/cells/types", at(0, 24)), "cells/offsets", "not 10"),
+    ("a model of a negative eigenvalue", stored(BODY + "modes/eigenvalues", at(0, -1)), "modes", "eigenvalue"),
+    ("a model of a load that is a view of itself", view_of_itself(BODY + "loads/xmax/total"), "xmax/total", "view"),
+    ("a model of a damaged heap", without_heap, "basis/U", "damaged"),
+    ("a model of a link to elsewhere",
+     changed(lambda file: (file.move("report", "kept"), file.__setitem__("report", h5py.SoftLink("/kept")))), "report"),
     ("a model of damaged eigenvalues", flipped(BODY + "modes/eigenvalues"), "eigenvalues", "checksum"),
 ]
 
@@ -131,5 +194,11 @@ CASES += [
     Case("-reuse of a later version", REUSE, ["old.h5", "9.0"], {"old.h5": set_attribute("version", [9, 0])}),
     Case("-reuse of a model of one eigenvalue alone", REUSE, ["old.h5", "single value"],
          {"old.h5": replace(BODY + "modes/eigenvalues", "word")}),
+    Case("-reuse of a mass that is none", REUSE, ["old.h5", "mass"],
+         {"old.h5": stored(BODY + "inertia/gram", at(0, -1))}),
+    Case("-reuse of a basis that is not orthonormal", REUSE, ["old.h5", "UᵀMU"],
+         {"old.h5": stored(BODY + "inertia/gram", lambda a: a + 1e-9 * np.diag([0] * 4 + [1] * (len(a) - 4)))}),
+    Case("-reuse of NaN in U", REUSE, ["old.h5", "columns/0001", "finite"],
+         {"old.h5": stored(BODY + "basis/columns/0001", at(15, np.nan))}),
     Case("-reuse of a damaged basis", REUSE, ["old.h5", "checksum"], {"old.h5": flipped(BODY + "basis/columns/0001")}),
 ]
