@@ -124,11 +124,10 @@ void read_filters(Cursor in, RawHeader& header) {
 
 }  // namespace
 
-RawHeader raw_header(hid_t file, std::uint64_t address) {
-  const Quiet quiet;
+RawHeader raw_header(const RawFile& file, std::uint64_t address) {
   RawHeader header;
   int shapes = 0, types = 0, layouts = 0;
-  each_message(RawFile(file), address, [&](unsigned type, unsigned flags, std::span<const unsigned char> contents) {
+  each_message(file, address, [&](unsigned type, unsigned flags, std::span<const unsigned char> contents) {
     constexpr unsigned shared = 0x02;  // the message stands elsewhere
     const bool used = type == dataspace || type == datatype || type == data_layout || type == filters;
     if (used && (flags & shared) != 0) throw BadHeader("has a type that is kept elsewhere in the file");

@@ -10,6 +10,8 @@
 
 namespace ritz::format {
 
+class RawFile;
+
 enum class Layout : std::uint8_t { compact = 0, contiguous = 1, chunked = 2, view = 3 };
 enum class ValueClass : std::uint8_t { integer = 0, real = 1, text = 3 };
 
@@ -30,11 +32,11 @@ struct BadHeader : std::runtime_error {
 };
 
 /// The header at `address` (as H5O_info_t gives it). Throws BadHeader.
-RawHeader raw_header(hid_t file, std::uint64_t address);
+RawHeader raw_header(const RawFile& file, std::uint64_t address);
 
 /// Whether object `index` of the global heap collection at `address` is a view's mapping with the checksum that it was
 /// written with. The heap itself has none: HDF5 1.10 walks a damaged one for ever, and follows a damaged mapping beyond
 /// its end before it looks at the checksum.
-bool sound_mapping(hid_t file, std::uint64_t address, std::uint32_t index);
+bool sound_mapping(const RawFile& file, std::uint64_t address, std::uint32_t index);
 
 }  // namespace ritz::format

@@ -93,15 +93,13 @@ bool has_its_checksum(Bytes mapping) {
 
 }  // namespace
 
-bool sound_mapping(hid_t file, std::uint64_t address, std::uint32_t index) try {
+bool sound_mapping(const RawFile& file, std::uint64_t address, std::uint32_t index) try {
   constexpr std::size_t head = 16;
-  const Quiet quiet;
-  const RawFile bytes(file);
-  const auto start = bytes.bytes(address, head);
+  const auto start = file.bytes(address, head);
   if (std::memcmp(start.data(), "GCOL\1", 5) != 0) return false;
   const auto size = Cursor(std::span(start).subspan(8)).number(8);
   if (index == 0 || size < head) return false;
-  const auto collection = bytes.bytes(address, size);
+  const auto collection = file.bytes(address, size);
   const auto mapping = find_object(Cursor(std::span(collection).subspan(head)), index);
   return mapping && has_its_checksum(*mapping);
 } catch (const BadHeader&) {

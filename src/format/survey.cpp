@@ -3,7 +3,7 @@
 #include <limits>
 #include <set>
 
-#include "raw_header.hpp"
+#include "raw_bytes.hpp"
 #include "read.hpp"
 
 namespace ritz::format {
@@ -21,13 +21,7 @@ std::uint64_t logical_bytes(const RawHeader& header) {
   return bytes;
 }
 
-std::uint64_t file_bytes(const StoredFile& in) {
-  hsize_t bytes = 0;
-  H5Fget_filesize(in.file(), &bytes);
-  return bytes;
-}
-
-void check_own(const StoredFile& in, const std::string& path, const RawHeader& header) {
+void check_own(const StoredFile& in, const std::string& path, const RawHeader& header, std::uint64_t file_size) {
   if (header.shape.empty()) fail(in, path, "is a single value where a list is expected");
   const auto known = {ValueClass::integer, ValueClass::real, ValueClass::text};
   if (std::ranges::find(known, static_cast<ValueClass>(header.value_class)) == known.end())
@@ -35,14 +29,14 @@ void check_own(const StoredFile& in, const std::string& path, const RawHeader& h
   if (header.layout == Layout::view) return;
   if (!header.filters.empty() || header.layout != Layout::contiguous)
     fail(in, path, "is compressed or stored in pieces, which " + in.wording().writer + " never does");
-  const auto size = file_bytes(in), bytes = logical_bytes(header);
+  const auto size = file_size, bytes = logical_bytes(header);
   if (bytes == 0) return;
   if (bytes > size) fail(in, path, "claims to be larger than the file");
   if (header.bytes != bytes || header.address > size || bytes > size - header.address)
     fail(in, path, "has numbers that are not in the file");
 }
 
-void check_foreign(const StoredFile& in, const std::string& path, const RawHeader& header) {
+void check_foreign(const StoredFile& in, const std::string& path, const RawHeader& header, std::uint64_t file_size) {
   if (static_cast<ValueClass>(header.value_class) != ValueClass::real)
     fail(in, path, "must hold floating point numbers");
   if (header.layout == Layout::view) fail(in, path, "is a view of other datasets; give the file that has the numbers");
@@ -53,15 +47,16 @@ void check_foreign(const StoredFile& in, const std::string& path, const RawHeade
            "is packed by HDF5's filter " + std::to_string(filter) +
                ", which is not one of gzip, shuffle and fletcher32");
   constexpr std::uint64_t gzip_at_best = 1032;
-  const auto size = file_bytes(in);
+  const auto size = file_size;
   const auto most = header.filters.empty() ? size : size * gzip_at_best;
   if (logical_bytes(header) > most) fail(in, path, "claims to be larger than the file");
 }
 
-void check_storage(const StoredFile& in, const std::string& path, const RawHeader& header, Storage storage) {
+void check_storage(const StoredFile& in, const std::string& path, const RawHeader& header, Storage storage,
+                   std::uint64_t file_size) {
   if (header.external) fail(in, path, "keeps its numbers in other files");
-  if (storage == Storage::own) check_own(in, path, header);
-  else check_foreign(in, path, header);
+  if (storage == Storage::own) check_own(in, path, header, file_size);
+  else check_foreign(in, path, header, file_size);
 }
 
 H5O_info_t info_of(const StoredFile& in, const std::string& path) {
@@ -72,9 +67,10 @@ H5O_info_t info_of(const StoredFile& in, const std::string& path) {
   return info;
 }
 
-RawHeader checked_header(const StoredFile& in, const std::string& path, haddr_t address, Storage storage) try {
-  auto header = raw_header(in.file(), address);
-  check_storage(in, path, header, storage);
+RawHeader checked_header(const StoredFile& in, const RawFile& raw, const std::string& path, haddr_t address,
+                         Storage storage) try {
+  auto header = raw_header(raw, address);
+  check_storage(in, path, header, storage, raw.size());
   return header;
 } catch (const BadHeader& error) {
   fail(in, path, error.what());
@@ -82,7 +78,9 @@ RawHeader checked_header(const StoredFile& in, const std::string& path, haddr_t 
 
 class Survey {
  public:
-  Survey(const StoredFile& in, Storage storage) : in_(in), storage_(storage) { seen_.insert(info_of(in, "/").addr); }
+  Survey(const StoredFile& in, Storage storage) : in_(in), raw_(in.file()), storage_(storage) {
+    seen_.insert(info_of(in, "/").addr);
+  }
 
   void visit(const std::string& path, int depth) {
     const auto info = info_of(in_, path);
@@ -95,8 +93,8 @@ class Survey {
     } else if (info.type != H5O_TYPE_DATASET) {
       fail(in_, path, "is neither a group nor a dataset");
     } else if (first) {
-      const auto header = checked_header(in_, path, info.addr, storage_);
-      if (header.layout == Layout::view && !sound_mapping(in_.file(), header.address, header.heap_object))
+      const auto header = checked_header(in_, raw_, path, info.addr, storage_);
+      if (header.layout == Layout::view && !sound_mapping(raw_, header.address, header.heap_object))
         fail(in_, path, "is a damaged view");
       objects_.push_back({path, header.layout == Layout::view ? Kind::view : Kind::dataset, header.shape});
     }
@@ -106,6 +104,7 @@ class Survey {
 
  private:
   const StoredFile& in_;
+  RawFile raw_;
   Storage storage_;
   std::set<haddr_t> seen_;
   std::vector<StoredObject> objects_;
@@ -117,7 +116,7 @@ Shape stored_shape(const StoredFile& in, const std::string& path) {
   if (!exists(in, path)) fail(in, path, "is missing");
   const auto info = info_of(in, path);
   if (info.type != H5O_TYPE_DATASET) fail(in, path, "is not a readable dataset");
-  auto header = checked_header(in, path, info.addr, Storage::own);
+  auto header = checked_header(in, RawFile(in.file()), path, info.addr, Storage::own);
   if (header.layout == Layout::view) fail(in, path, "is a view of other datasets where numbers are expected");
   return std::move(header.shape);
 }

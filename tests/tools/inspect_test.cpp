@@ -155,7 +155,7 @@ TEST_F(Inspect, SaysThatItsOutputWasNotWritten) {
   format::write(model, test::sample_model());
   const auto name = model.string();
   for (const auto& arguments :
-       {name + " >/dev/full", name + " --check >/dev/full", name + " >&-", "--help >/dev/full"}) {
+       {name + " >/dev/full", name + " --check >/dev/full", name + " >&-", std::string("--help >/dev/full")}) {
     const auto command = std::string(RITZ_BIN) + "/ritz-inspect " + arguments + " 2>" + log.string();
     EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), exit_numerical) << arguments;
     const auto bytes = test::load(log);
