@@ -94,9 +94,11 @@ Claim::Claim(Plan plan) : plan_(std::move(plan)) {
   }
   for (const auto& output : outputs) refuse_place(output);
   for (const auto& output : outputs) before_.push_back(version(output.path));
-  // In one order for all runs, so that of two that share names one gets them.
-  auto sorted = plan_.outputs;
-  std::ranges::sort(sorted, {}, [](const Named& output) { return output.path.filename(); });
+  // What the run is for first, as that is the name to tell; the others in one order for all runs, so that of two that
+  // share them one gets them all.
+  auto sorted = outputs;
+  std::sort(sorted.begin() + 1, sorted.end(),
+            [](const Named& a, const Named& b) { return a.path.filename() < b.path.filename(); });
   try {
     for (const auto& output : sorted) hold(output);
   } catch (...) {
