@@ -87,7 +87,7 @@ class RitzRun(unittest.TestCase):
             resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))
 
         result = self.run_it("model.h5", "--scene", "scene.toml", preexec_fn=small_files)
-        self.refused(result, 1, "disk full")
+        self.refused(result, 1, "ulimit -f")
 
     def test_damaged_models(self):
         whole = (self.folder / "model.h5").read_bytes()
