@@ -160,7 +160,7 @@ FullOptions read_full(Database& options, Program program) {
 Config read_config(MPI_Comm comm, Given given, Program program) {
   Database options(given);
   Config config;
-  if (petsc::option_value("-units")) config.units = UnitsOf::user;
+  if (options.has("units")) config.units = UnitsOf::user;
   config.source = read_source(options);
   read_supports(options, config);
   config.material = read_material(options, "material_");
