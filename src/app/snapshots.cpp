@@ -22,7 +22,7 @@ namespace {
 
 using Row = Eigen::VectorXd;
 
-[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& why) {
+[[noreturn]] void refuse_snapshots(const std::filesystem::path& file, const std::string& why) {
   throw InputError("option -snapshots " + file.string() + ": " + why);
 }
 
@@ -46,7 +46,7 @@ class NumpySnapshots : public Snapshots {
   void read(std::int64_t row, Row& into) override {
     in_.seekg(array_.first_byte + 8 * row * length);
     in_.read(reinterpret_cast<char*>(into.data()), 8 * length);
-    if (!in_) refuse(file_, "the file ends before its snapshot " + std::to_string(row + 1));
+    if (!in_) refuse_snapshots(file_, "the file ends before its snapshot " + std::to_string(row + 1));
   }
 
  private:
@@ -63,8 +63,8 @@ class Hdf5Snapshots : public Snapshots {
         in_(path, "option -snapshots " + path.string(), {.kind = "file of snapshots", .writer = "ritz-full"}) {
     const auto objects = format::survey(in_, std::array<std::string_view, 1>{name}, format::Storage::foreign);
     if (objects.empty() || objects.front().kind != format::StoredObject::Kind::dataset)
-      refuse(path, "the file has no dataset /snapshots; ritz-full writes one when it writes frames");
-    if (objects.front().shape.size() != 2) refuse(path, "/snapshots must have two dimensions");
+      refuse_snapshots(path, "the file has no dataset /snapshots; ritz-full writes one when it writes frames");
+    if (objects.front().shape.size() != 2) refuse_snapshots(path, "/snapshots must have two dimensions");
     count = objects.front().shape[0];
     length = objects.front().shape[1];
     dataset_ = format::Dataset(H5Dopen2(in_.file(), name, H5P_DEFAULT));
@@ -78,12 +78,13 @@ class Hdf5Snapshots : public Snapshots {
     const format::Space memory(H5Screate_simple(1, &counts[1], nullptr));
     H5Sselect_hyperslab(space_.get(), H5S_SELECT_SET, start.data(), nullptr, counts.data(), nullptr);
     if (H5Dread(dataset_.get(), H5T_NATIVE_DOUBLE, memory.get(), space_.get(), H5P_DEFAULT, into.data()) < 0)
-      refuse(path_, "/snapshots cannot be read as numbers");
+      refuse_snapshots(path_, "/snapshots cannot be read as numbers");
     constexpr std::size_t vertex = 3 * sizeof(double);
     const auto bytes = std::as_bytes(std::span(into.data(), static_cast<std::size_t>(length)));
     if (length % 3 == 0) sum_ += format::checksum(bytes, vertex, row * length / 3);
     if (row + 1 == count && checksum_ && *checksum_ != sum_)
-      refuse(path_, "/snapshots does not have the checksum it was written with: the file is damaged; write it again");
+      refuse_snapshots(
+          path_, "/snapshots does not have the checksum it was written with: the file is damaged; write it again");
   }
 
  private:
@@ -97,8 +98,9 @@ class Hdf5Snapshots : public Snapshots {
 };
 
 std::unique_ptr<Snapshots> open(const std::filesystem::path& file) {
-  if (!std::filesystem::exists(file) || std::filesystem::is_directory(file)) refuse(file, "there is no such file");
-  if (!std::filesystem::is_regular_file(file)) refuse(file, "that is not a regular file");
+  if (!std::filesystem::exists(file) || std::filesystem::is_directory(file))
+    refuse_snapshots(file, "there is no such file");
+  if (!std::filesystem::is_regular_file(file)) refuse_snapshots(file, "that is not a regular file");
   if (file.extension() == ".npy") return std::make_unique<NumpySnapshots>(file);
   return std::make_unique<Hdf5Snapshots>(file);
 }
@@ -106,10 +108,10 @@ std::unique_ptr<Snapshots> open(const std::filesystem::path& file) {
 std::unique_ptr<Snapshots> open_for(const mesh::Mesh& mesh, const std::filesystem::path& file) {
   auto in = open(file);
   if (in->length != 3 * mesh.vertices_total)
-    refuse(file, "its vectors have " + std::to_string(in->length) + " numbers, but the mesh has " +
-                     std::to_string(mesh.vertices_total) + " vertices, so they must have " +
-                     std::to_string(3 * mesh.vertices_total));
-  if (in->count == 0) refuse(file, "it holds no snapshot");
+    refuse_snapshots(file, "its vectors have " + std::to_string(in->length) + " numbers, but the mesh has " +
+                               std::to_string(mesh.vertices_total) + " vertices, so they must have " +
+                               std::to_string(3 * mesh.vertices_total));
+  if (in->count == 0) refuse_snapshots(file, "it holds no snapshot");
   return in;
 }
 
@@ -119,7 +121,8 @@ petsc::Tall read_rows(const std::filesystem::path& file, const mesh::Mesh& mesh)
   Row row(in->length);
   for (std::int64_t s = 0; s < in->count; ++s) {
     in->read(s, row);
-    if (!row.allFinite()) refuse(file, "snapshot " + std::to_string(s + 1) + " holds a number that is not finite");
+    if (!row.allFinite())
+      refuse_snapshots(file, "snapshot " + std::to_string(s + 1) + " holds a number that is not finite");
     for (int v = 0; v < mesh.owned; ++v)
       u.col(s).segment<3>(3 * v) = row.segment<3>(3 * mesh.file_positions[static_cast<std::size_t>(v)]);
   }

@@ -11,14 +11,14 @@ namespace {
 bool is_blank(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
 
 /// A word of a line, and whether any of it stood in quotes.
-struct Word {
+struct QuotedWord {
   std::string text;
   bool quoted = false;
 };
 
 /// As a shell reads them: blanks part words, quotes of either kind keep them, # before a word begins a comment.
-std::vector<Word> words_of(const std::string& line, const std::string& place) {
-  std::vector<Word> words;
+std::vector<QuotedWord> words_of(const std::string& line, const std::string& place) {
+  std::vector<QuotedWord> words;
   bool within = false;
   char quote = 0;
   for (const char c : line) {

@@ -13,14 +13,13 @@
 #include "ritz/base/error.hpp"
 #include "ritz/files/failure.hpp"
 #include "ritz/files/interruption.hpp"
+#include "ritz/files/names.hpp"
 #include "ritz/files/part_file.hpp"
 
 namespace ritz::files {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : "."; }
 
 bool same_name(const fs::path& a, const fs::path& b) {
   std::error_code none;

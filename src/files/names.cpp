@@ -4,6 +4,10 @@
 
 namespace ritz::files {
 
+std::filesystem::path folder_of(const std::filesystem::path& file) {
+  return file.has_parent_path() ? file.parent_path() : ".";
+}
+
 std::filesystem::path table_beside(const std::filesystem::path& output, std::string_view name) {
   const auto file = output.filename();
   const bool plain = file == "model.h5" || file == "motion.h5" || file == "full.h5";

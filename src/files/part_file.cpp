@@ -15,13 +15,12 @@
 #include "ritz/base/error.hpp"
 #include "ritz/files/failure.hpp"
 #include "ritz/files/interruption.hpp"
+#include "ritz/files/names.hpp"
 
 namespace ritz::files {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : "."; }
 
 /// PATH.0123456789abcdef.part; of a long name the beginning only, as a name has at most 255 bytes.
 fs::path part_of(const fs::path& path) {

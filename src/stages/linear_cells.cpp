@@ -101,11 +101,11 @@ Recovered recover(const mesh::Mesh& mesh, const std::vector<int>& cells, const p
 }
 
 /// By mode: twice the energies of ε* − ε, of what varies of ε* within cells, and of its means over cells.
-using Sums = Eigen::Array3Xd;
+using ModeSums = Eigen::Array3Xd;
 
 template <class E>
 void add_errors(const mesh::Mesh& mesh, int cell, const fem::StVK& material, const petsc::Tall& local,
-                const Recovered& recovered, Sums& sums) {
+                const Recovered& recovered, ModeSums& sums) {
   constexpr bool tetrahedron = E::type == fem::CellType::tet4;
   constexpr auto& rule = []() -> auto& {
     if constexpr (tetrahedron) return E::mass_rule;  // its one point of stiffness sees nothing of ε* − ε
@@ -168,7 +168,7 @@ std::vector<LinearCellsError> linear_cells_errors(const mesh::Mesh& mesh, const 
   Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(3, u.cols());
   for (const auto& [key, alike] : cells) {
     const Recovered recovered = recover(mesh, alike, local);
-    Sums of_alike = Sums::Zero(3, u.cols());
+    ModeSums of_alike = ModeSums::Zero(3, u.cols());
     for (const int c : alike)
       if (c < mesh.cells.owned)
         visit_linear(mesh, c, [&]<class E>(E) {

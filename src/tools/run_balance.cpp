@@ -10,6 +10,7 @@
 
 #include "ritz/base/error.hpp"
 #include "ritz/fem/cell.hpp"
+#include "run_loads.hpp"
 
 namespace ritz::tools {
 namespace {
@@ -19,8 +20,6 @@ using Wrench = Eigen::Matrix<double, 6, 1>;  // force, N, and torque about the c
 constexpr double unseen = 1e-9;       ///< share of a rigid motion's mass that a basis without it may move
 constexpr double equilibrium = 1e-6;  ///< of the loads' sizes one by one
 constexpr double same_area = .01;
-
-Eigen::Vector3d vector(const scene::Vector3& v) { return {v[0], v[1], v[2]}; }
 
 Wrench wrench(const Eigen::Vector3d& force, const Eigen::Vector3d& arm) {
   Wrench w;

@@ -11,8 +11,6 @@
 namespace ritz::tools {
 namespace {
 
-Eigen::Vector3d vector(const scene::Vector3& v) { return {v[0], v[1], v[2]}; }
-
 const model::SetLoad& meant_set(const model::Body& body, const std::string& name, SetUse use) {
   std::vector<std::string> known;
   for (const auto& load : body.loads) known.push_back(load.set);
@@ -85,6 +83,8 @@ struct Projection {
 };
 
 }  // namespace
+
+Eigen::Vector3d vector(const scene::Vector3& v) { return {v[0], v[1], v[2]}; }
 
 void ReducedLoad::evaluate(const scene::Scene& scene, double t, Eigen::Ref<Eigen::VectorXd> force) const {
   force.setZero();

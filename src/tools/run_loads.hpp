@@ -9,6 +9,9 @@
 
 namespace ritz::tools {
 
+/// Three numbers of a scene as a vector.
+Eigen::Vector3d vector(const scene::Vector3& v);
+
 /// Uᵀf(t) = Σ factor(table, t) force over the terms.
 struct ReducedLoad {
   struct Term {
