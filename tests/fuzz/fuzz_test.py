@@ -22,7 +22,7 @@ def check(holds, what):
 
 
 def finds_each_kind(folder):
-    kinds = {"crash": "", "throw": "no InputError: some", "lines": "not one printed line", "hang": "too long",
+    kinds = {"crash": "", "throw": "no InputError: some", "silent": "without a message", "hang": "too long",
              "memory": "MB for an input of 6 bytes"}
     for word, said in kinds.items():
         (folder / "input").write_text(word)

@@ -2,7 +2,6 @@
 
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -28,11 +27,6 @@ struct Folder {
   }
 };
 
-bool is_one_line(const std::string& message) {
-  return !message.empty() &&
-         std::none_of(message.begin(), message.end(), [](unsigned char c) { return c < ' ' || c == 127; });
-}
-
 }  // namespace
 
 void finding(const std::string& what) {
@@ -45,8 +39,9 @@ std::string outcome(Bytes input) {
     read_input(input);
     return {};
   } catch (const InputError& error) {
-    if (!is_one_line(error.what())) finding(std::string("a message that is not one printed line: ") + error.what());
-    return error.what();
+    const std::string message = error.what();
+    if (message.empty()) finding("a refusal without a message");
+    return message;
   } catch (const std::exception& error) {
     finding(std::string("an exception that is no InputError: ") + error.what());
   } catch (...) {

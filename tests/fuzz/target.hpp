@@ -13,7 +13,7 @@ using Bytes = std::span<const std::uint8_t>;
 void read_input(Bytes input);
 
 /// Runs the target; what it said of an input that it refused, else nothing. Everything else is a finding, which is told
-/// on stderr and ends the process by abort: another exception, a message of more than one printed line, `finding`.
+/// on stderr and ends the process by abort: another exception, a refusal without a message, `finding`.
 std::string outcome(Bytes input);
 
 /// Ends the process by abort, `what` on stderr.

@@ -28,7 +28,8 @@ struct Sample : Cube {
     app::LastState last{app::StateKind::moving, "avf", {}, u, u, u};
     for (const auto* name : {"t", "kinetic", "elastic", "work", "dissipated", "start"}) last.numbers[name] = 1;
     file.keep(last, problem);
-    file.commit();
+    file.finish();
+    file.publish();
     std::ifstream in(path, std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(in), {}};
     const auto all = std::as_bytes(std::span(bytes));
@@ -38,6 +39,7 @@ struct Sample : Cube {
 };
 
 void read_as_restart(const std::filesystem::path& path, const mesh::Mesh& mesh) {
+  app::verify_last_state(mesh.comm, path);
   const auto state = app::read_last_state(path, mesh, problem);
   if (!state.u.allFinite() || !state.v.allFinite() || !state.a.allFinite()) finding("a state that is not finite");
   for (const auto& [name, value] : state.numbers)

@@ -1,9 +1,10 @@
 // A mesh file of the format that RITZ_FUZZ_MESH names by its ending: refused, or a mesh in which every number is in
-// range.
+// range. What a refusal offers to ignore is ignored, as a user would, and must then be no reason any more.
 #include <algorithm>
 #include <cmath>
 
 #include "fuzz/target.hpp"
+#include "ritz/base/error.hpp"
 #include "ritz/mesh/file_mesh.hpp"
 
 namespace ritz::fuzz {
@@ -49,10 +50,36 @@ void check_sets(const mesh::FileMesh& mesh) {
     require(in_range(support.vertices, mesh.points.size()), "a support of a vertex that there is not");
 }
 
+/// The word of "'-ignore WORD'", where a user could type it.
+std::string offered(const std::string& refusal) {
+  constexpr std::string_view before = "'-ignore ";
+  const auto found = refusal.find(before);
+  if (found == refusal.npos) return {};
+  const auto begin = found + before.size();
+  const auto word = refusal.substr(begin, refusal.find('\'', begin) - begin);
+  return word.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") == word.npos ? word : "";
+}
+
+mesh::FileMesh read(const std::filesystem::path& path) {
+  constexpr std::size_t most = 8;
+  mesh::Ignored ignored;
+  for (;;) {
+    try {
+      return mesh::read_file(path, ignored);
+    } catch (const InputError& error) {
+      const auto word = offered(error.what());
+      if (word.empty() || ignored.size() == most) throw;
+      require(std::ranges::find(ignored, word) == ignored.end(), "-ignore does not help as was said");
+      ignored.push_back(word);
+    }
+  }
+}
+
 }  // namespace
 
 void read_input(Bytes input) {
-  const auto mesh = mesh::read_file(as_file(input, "mesh" RITZ_FUZZ_MESH));
+  const auto mesh = read(as_file(input, "mesh" RITZ_FUZZ_MESH));
+  for (const auto& note : mesh.notes) require(!note.empty(), "a note that says nothing");
   check_points(mesh);
   check_cells(mesh);
   check_sets(mesh);

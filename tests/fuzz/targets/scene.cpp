@@ -7,7 +7,7 @@
 namespace ritz::fuzz {
 
 void read_input(Bytes input) {
-  const auto scene = scene::read(as_file(input, "scene.toml"));
+  const auto scene = scene::parse({input.begin(), input.end()}, "scene.toml");
   if (const auto* time = std::get_if<scene::Time>(&scene.analysis)) {
     if (!(time->step > 0 && std::isfinite(time->end))) finding("a time step that is none");
     if (scene::step_count(*time) < 1) finding("no steps");
