@@ -47,6 +47,7 @@ int guarded(MPI_Comm comm, const std::string& program, const std::function<void(
 
 int run_program(int argc, char** argv, config::Program program,
                 const std::function<void(MPI_Comm, const config::Config&)>& work) {
+  petsc::restart_with_one_blas_thread(argv);
   const std::string name = program == config::Program::full ? "ritz-full" : "ritz-reduce";
   H5dont_atexit();                              // HDF5 crashes there after a write that failed
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // one sentence of ours instead of HDF5's stack

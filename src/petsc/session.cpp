@@ -2,6 +2,8 @@
 
 #include <dlfcn.h>
 #include <slepceps.h>
+#include <sys/resource.h>
+#include <unistd.h>
 // after PETSc itself, which it needs
 #include <petscblaslapack.h>
 
@@ -74,12 +76,22 @@ void limit_blas_threads() {
   if (const auto set = symbol<void (*)(int)>("openblas_set_num_threads")) set(1);
 }
 
+void restart_with_one_blas_thread(char** argv) {
+  const auto threads = symbol<int (*)()>("openblas_get_num_threads");
+  const char* asked = std::getenv("OPENBLAS_NUM_THREADS");
+  rlimit space{};
+  const bool limited = getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur != RLIM_INFINITY;
+  if (!limited || !threads || threads() == 1 || (asked && std::string(asked) == "1")) return;
+  for (const char* name : {"OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS"}) setenv(name, "1", 1);
+  execv("/proc/self/exe", argv);
+}
+
 void take_blas_memory() {
-  constexpr std::size_t enough = std::size_t{320} << 20;  // OpenBLAS maps its 128 MB up to twice at once, to align them
-  ::operator delete(::operator new(enough));
-  constexpr PetscBLASInt n = 128;  // larger than what OpenBLAS multiplies without its buffer
+  constexpr std::size_t buffer = (std::size_t{128} << 20) + (std::size_t{1} << 20);  // OpenBLAS's, and some room
+  constexpr PetscBLASInt n = 32;
   constexpr PetscScalar one = 1, zero = 0;
-  std::vector<PetscScalar> a(std::size_t{n} * n), c(a.size());
+  std::vector<PetscScalar> a(std::size_t{n} * n), c(a.size());  // before the buffer's place is free again
+  ::operator delete(::operator new(buffer));
   BLASgemm_("N", "N", &n, &n, &n, &one, a.data(), &n, a.data(), &n, &zero, c.data(), &n);
 }
 

@@ -36,8 +36,14 @@ bool blas_is_openblas();
 /// One BLAS thread a rank, unless OPENBLAS_NUM_THREADS or OMP_NUM_THREADS says otherwise.
 void limit_blas_threads();
 
-/// Has the BLAS take its work space now. Where memory runs out in its first call, OpenBLAS would ask again for ever:
-/// that there is enough is tried first. Throws std::bad_alloc.
+/// The first call of main. OpenBLAS starts its threads when it is loaded, and each maps 128 MB of its own; where the
+/// address space is too small for that, they ask for ever, and no end of the program awaits them. So, where there is
+/// such a limit (ulimit -v), the program starts itself again with the variables that ask for one thread.
+void restart_with_one_blas_thread(char** argv);
+
+/// Has the BLAS take its work space now, which it keeps: 128 MB of address space, of which nothing becomes resident.
+/// Where memory runs out in its first call, OpenBLAS would ask again for ever: that there is enough is tried first.
+/// Throws std::bad_alloc.
 void take_blas_memory();
 
 /// A named stage of -log_view while it lives.
