@@ -88,7 +88,7 @@ void restart_with_one_blas_thread(char** argv) {
 
 void take_blas_memory() {
   constexpr std::size_t buffer = (std::size_t{128} << 20) + (std::size_t{1} << 20);  // OpenBLAS's, and some room
-  constexpr PetscBLASInt n = 32;
+  constexpr PetscBLASInt n = 128;  // larger than what OpenBLAS multiplies without its buffer
   constexpr PetscScalar one = 1, zero = 0;
   std::vector<PetscScalar> a(std::size_t{n} * n), c(a.size());  // before the buffer's place is free again
   ::operator delete(::operator new(buffer));
