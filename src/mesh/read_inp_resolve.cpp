@@ -113,8 +113,9 @@ FileMaterial material_of(const Resolver& look, const InpSection& section) {
     fail(look.sources, section.place, "material '" + section.material + "' is not defined in the file");
   }
   const auto& material = found->second;
-  return {.young = material.young,
-          .poisson = material.poisson,
+  const bool isotropic = material.law.what.empty();  // another law beside *ELASTIC, or after it, is the one that counts
+  return {.young = isotropic ? material.young : std::nullopt,
+          .poisson = isotropic ? material.poisson : std::nullopt,
           .density = material.density,
           .unread_law = said(look.sources, material.law),
           .unread_density = said(look.sources, material.unread_density)};

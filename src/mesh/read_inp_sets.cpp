@@ -70,6 +70,12 @@ void read_set(Deck& deck, const Keyword& keyword, InpSets& sets, std::size_t int
   add_parts(sets, into, named);
 }
 
+// What needs such a surface, as contact does, is refused by its own keyword.
+void note_unread(const Deck& deck, const Keyword& keyword, const std::string& kind, InpModel& model) {
+  model.mesh.notes.push_back(located(deck.sources(), keyword.place) + "surface '" + needed(deck, keyword, "NAME") +
+                             "' (" + kind + ") is not read, so that nothing can be named by it");
+}
+
 }  // namespace
 
 const InpSet* InpSets::find(const std::string& name) const {
@@ -109,16 +115,16 @@ void read_inp_elset(Deck& deck, const Keyword& keyword, InpModel& model) {
 
 void read_inp_surface(Deck& deck, const Keyword& keyword, InpModel& model) {
   const auto type = upper(keyword.value("TYPE").value_or("ELEMENT"));
-  if (type != "ELEMENT" && type != "NODE") {
-    deck.fail(keyword.place, "a surface of type " + type + " is not supported; use ELEMENT or NODE");
-  }
+  if (type != "ELEMENT" && type != "NODE") return note_unread(deck, keyword, "TYPE=" + type, model);
+  if (const auto combined = keyword.value("COMBINE"))
+    return note_unread(deck, keyword, "COMBINE=" + upper(*combined), model);
   InpSurface surface{.name = needed(deck, keyword, "NAME"),
                      .type = type == "NODE" ? InpSurfaceType::node : InpSurfaceType::element,
                      .entries = {}};
   std::set<std::pair<std::string, std::string>> listed;
   while (const auto line = deck.next_data()) {
     const auto parts = fields(*line);
-    if (parts[0].text.empty()) deck.fail(line->place, "expected a set or a number");
+    if (parts[0].text.empty()) return note_unread(deck, keyword, "all that is outside", model);
     const auto target = plain_name(parts[0].text);
     const auto label = parts.size() > 1 ? upper(parts[1].text) : std::string();
     if (listed.emplace(upper(target), label).second)

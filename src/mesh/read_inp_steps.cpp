@@ -20,8 +20,8 @@ Index degree_of_freedom(const Deck& deck, const Line& field) {
   auto cursor = deck.cursor(field);
   const Index dof = cursor.integer("a degree of freedom");
   cursor.end_line();
-  // 4 to 6 are rotations, which the vertices of a solid do not have.
-  if (dof < 1 || dof > 6) {
+  // From 4 on: rotations, warping, pressures, temperatures, which hold no vertex of a solid.
+  if (dof < 1 || dof > 31) {
     deck.fail(field.place, "degree of freedom " + std::to_string(dof) + " cannot be fixed; a vertex has 1 to 3");
   }
   return dof;

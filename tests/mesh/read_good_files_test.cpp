@@ -167,9 +167,9 @@ std::string inp_with(const std::string& more) { return with(inp_text(), "*STEP\n
 
 TEST(ReadInp, UnitesSetsOfOneNameAndKind) {
   const auto mesh =
-      read_text("a.inp", inp_with("*ELSET, ELSET=UPPER\n2\n*ELSET, ELSET=nested\nlower\n2\n"
+      read_text("a.inp", inp_with("*ELSET, ELSET=pair\n6\n*ELSET, ELSET=PAIR\n2\n*ELSET, ELSET=nested\nlower\n2\n"
                                   "*NSET, NSET=of_cells, ELSET=Lower\n*NSET, NSET=twice\nfeet, 50, twice\n"));
-  EXPECT_EQ(find_set(mesh, "upper")->vertices, (std::vector<Index>{0, 1, 2, 3, 4}));
+  EXPECT_EQ(find_set(mesh, "pair")->vertices, (std::vector<Index>{0, 1, 2, 3, 4}));
   EXPECT_EQ(find_set(mesh, "nested")->vertices, (std::vector<Index>{0, 1, 2, 3}));
   EXPECT_EQ(find_set(mesh, "nested")->faces.size(), 1u);
   EXPECT_EQ(find_set(mesh, "of_cells")->vertices, (std::vector<Index>{0, 1, 2, 3}));

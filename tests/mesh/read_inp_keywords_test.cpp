@@ -100,6 +100,38 @@ TEST(ReadInpKeywords, ThatChangeNothingArePassedOver) {
   EXPECT_TRUE(mesh.notes.empty()) << mesh.notes.front();
 }
 
+TEST(ReadInpKeywords, OfSettingsAndDataThatNothingUsesArePassedOver) {
+  for (const char* const text :
+       {"*FAIL STRESS\n1., 2., 3., 4., 5.\n", "*SURFACE PROPERTY, NAME=p\n", "*SURFACE SMOOTHING, NAME=s\n",
+        "*HCF, MAX CYCLE=1\n", "*NO ANALYSIS\n", "*SOLUTION TECHNIQUE, TYPE=QUASI-NEWTON\n",
+        "*MATERIAL, NAME=spare\n*HYPERELASTIC, TEST DATA INPUT\n*UNIAXIAL TEST DATA\n1., 2.\n",
+        "*BOUNDARY\nfeet, 11, 11, 20.\n"}) {
+    SCOPED_TRACE(text);
+    const auto mesh = read_text("a.inp", inp_with(text));
+    expect_two_tets(mesh, "Lower", "upper", "Bottom");
+    EXPECT_TRUE(mesh.notes.empty());
+  }
+}
+
+TEST(ReadInpKeywords, OfSurfacesThatAreNotReadAreNoted) {
+  for (const char* const text : {"*SURFACE, NAME=odd, TYPE=CYLINDER\n0., 0., 0., 1., 0., 0.\n",
+                                 "*SURFACE, NAME=odd, COMBINE=UNION\nBottom\n", "*SURFACE, NAME=odd\n,\n"}) {
+    SCOPED_TRACE(text);
+    const auto mesh = read_text("a.inp", inp_with(text));
+    expect_two_tets(mesh, "Lower", "upper", "Bottom");
+    EXPECT_EQ(notes_that_say(mesh, "surface 'odd' ("), 1u);
+    EXPECT_EQ(find_set(mesh, "odd"), nullptr);
+  }
+}
+
+TEST(ReadInpKeywords, OfOneThingAreLeftOutByOneWord) {
+  const std::string contact =
+      "*CONTACT\n*CONTACT FORMULATION, TYPE=PURE MASTER-SLAVE\n, , MASTER\n*CONTACT STABILIZATION\n";
+  const std::string connector = "*CONNECTOR BEHAVIOR, NAME=c\n*CONNECTOR ELASTICITY, COMPONENT=1\n3.\n";
+  EXPECT_EQ(read_text("a.inp", inp_with(contact), {"CONTACT"}).notes.size(), 1u);
+  EXPECT_EQ(read_text("a.inp", inp_with(connector), {"CONNECTORSECTION"}).notes.size(), 1u);
+}
+
 TEST(ReadInpKeywords, ThatFindNothingToChangeArePassedOver) {
   for (const char* const text :
        {"*NSET, NSET=lone\n50\n*TRANSFORM, NSET=lone, TYPE=R\n1., 1., 0., -1., 1., 0.\n", "*TEMPERATURE\nNall, 9.\n",
@@ -114,6 +146,11 @@ TEST(ReadInpKeywords, OfInelasticMaterialsAreNoted) {
                                             "1e-9, 3., 0.\n*MATERIAL, NAME=rubber"));
   EXPECT_EQ(mesh.notes.size(), 2u);
   EXPECT_EQ(notes_that_say(mesh, "a.inp:28: *PLASTIC is passed over"), 1u);
+  for (const char* const law : {"SUPERELASTIC", "CONCRETE COMPRESSION HARDENING"}) {
+    const auto beside = read_text("a.inp", with(inp_text(), "*DENSITY", "*" + std::string(law) + "\n1., 2.\n*DENSITY"));
+    EXPECT_EQ(notes_that_say(beside, law), 1u);
+    EXPECT_EQ(beside.regions[0].material.young, 2e11);
+  }
 }
 
 TEST(ReadInpMaterials, OfAnotherLawAreForTheOptionsToReplace) {
@@ -134,6 +171,19 @@ TEST(ReadInpMaterials, OfAnotherLawAreForTheOptionsToReplace) {
   EXPECT_NE(density.unread_density.find("a.inp:26: "), std::string::npos) << density.unread_density;
   EXPECT_FALSE(density.density);
   EXPECT_TRUE(density.unread_law.empty());
+}
+
+TEST(ReadInpMaterials, OfAnotherLawBesideAnElasticOneAreNotElastic) {
+  for (const char* const law : {"*USER MATERIAL, CONSTANTS=2\n1., 2.\n", "*HYPERELASTIC, NEO HOOKE\n1., 1.\n",
+                                "*ELASTIC, TYPE=ORTHOTROPIC\n1.,1.,1.,1.,1.,1.,1.,1.\n1.\n"}) {
+    SCOPED_TRACE(law);
+    const std::string iso = "*ELASTIC\n2e11, 0.3\n";
+    for (const auto& both : {iso + law, law + iso}) {
+      const auto material = read_text("a.inp", with(inp_text(), iso, both)).regions[0].material;
+      EXPECT_NE(material.unread_law.find("not supported"), std::string::npos);
+      EXPECT_FALSE(material.young || material.poisson);
+    }
+  }
 }
 
 TEST(ReadInpMaterials, WithTheSameConstantsAtAllTemperaturesAreRead) {
