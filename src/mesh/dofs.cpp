@@ -40,6 +40,9 @@ Held held_set(const Mesh& mesh, const Fixed& support) {
                        "' for the other");
     return {*mesh.find(resolve_set(names, whole, SetUse::vertices, where + "the mesh", written)), {true, true, true}};
   }
+  if (!short_name && support.text != name && !meant_sets(names, support.text, SetUse::vertices).empty())
+    throw InputError(where + "the mesh has a set of this whole name; write it in double quotes, '" +
+                     written(support.text) + "'");
   const auto colon = name.rfind(':');
   if (!short_name && colon != name.npos && !support.whole_name)
     where += "'" + name.substr(colon + 1) + "' are no components (some of xyz), and ";

@@ -48,6 +48,14 @@ TEST(SetName, OfABodyGivesWayToAPartOfItsBoundary) {
   EXPECT_EQ(vertices({"volume:top"}, "top"), "volume:top");
 }
 
+TEST(SetName, ThatIsMisspeltIsComparedWithNamesAndWithKinds) {
+  const Names names = {"elset:FIX", "nset:FIX", "BAR", "TIP"};
+  const auto misspelt = [&](const std::string& asked) { return [&names, asked] { vertices(names, asked); }; };
+  EXPECT_THAT(misspelt("FXI"), ThrowsMessage<InputError>(HasSubstr("did you mean 'FIX'?")));
+  EXPECT_THAT(misspelt("FIX:q"), ThrowsMessage<InputError>(HasSubstr("did you mean 'FIX'?")));
+  EXPECT_THAT(misspelt("nset:FIZ"), ThrowsMessage<InputError>(HasSubstr("did you mean 'nset:FIX'?")));
+}
+
 TEST(SetName, ThatStaysAmbiguousIsRefused) {
   EXPECT_THAT(
       [] {

@@ -54,6 +54,14 @@ inline std::vector<std::string> meant_sets(const std::vector<std::string>& names
   return meant;
 }
 
+/// All names, and those that say a kind without it too: what a misspelt name is compared with.
+inline std::vector<std::string> with_plain_names(std::vector<std::string> names) {
+  for (std::size_t i = 0, n = names.size(); i < n; ++i)
+    for (const auto kind : set_kinds)
+      if (names[i].starts_with(of_kind(kind, ""))) names.push_back(names[i].substr(kind.size() + 1));
+  return names;
+}
+
 /// How a name is written where it was asked for.
 using Written = std::string (*)(const std::string& name);
 inline std::string as_it_is(const std::string& name) { return name; }
@@ -74,7 +82,8 @@ inline std::string resolve_set(const std::vector<std::string>& names, const std:
   const auto plain = kind_said ? asked.substr(colon + 1) : asked;
   if (kind_said && std::find(names.begin(), names.end(), plain) != names.end())
     throw InputError(where + " has one set alone of that name; write '" + written(plain) + "'");
-  throw InputError(where + " has no set '" + asked + "'; did you mean '" + written(nearest(asked, names)) + "'?");
+  const auto near = nearest(asked, with_plain_names(names));
+  throw InputError(where + " has no set '" + asked + "'; did you mean '" + written(near) + "'?");
 }
 
 }  // namespace ritz
