@@ -8,7 +8,6 @@
 #include "ritz/app/full_start.hpp"
 #include "ritz/app/outputs.hpp"
 #include "ritz/app/progress.hpp"
-#include "ritz/app/reports.hpp"
 #include "ritz/app/resources.hpp"
 #include "ritz/app/warnings.hpp"
 #include "ritz/base/counted.hpp"
@@ -93,7 +92,6 @@ void simulate(MPI_Comm comm, const config::Config& config) {
   Progress progress(comm, config.voice);
   const auto scene = read_full_scene(comm, config.full.scene);
   const auto outputs = claim_motion(comm, config, scene);
-  refuse_reports(comm, config);
   for (const auto& text : config.warnings) progress.warn(text);
   const auto mesh = progress.stage("mesh", [&] { return mesh::read(comm, config.source); });
   outputs.refuse_inputs(mesh.files);

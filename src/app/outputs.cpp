@@ -21,12 +21,15 @@ files::Named beside(const std::string& what, const fs::path& path) {
   return {what + " " + path.string() + " beside the output", path};
 }
 
-/// What both programs read; the output first of what they write.
+/// What both programs read, and what PETSc writes for them.
 files::Plan common(const config::Config& config) {
-  files::Plan plan{.outputs = {of_option("output", config.output)}};
+  files::Plan plan{.outputs = {}};
   if (const auto* mesh = std::get_if<fs::path>(&config.source.mesh)) plan.inputs.push_back(of_option("mesh", *mesh));
   for (const auto& list : config.source.vertex_lists) plan.inputs.push_back(of_option("fix", list));
   for (const auto& file : config.option_files) plan.inputs.push_back(of_option("options_file", file));
+  if (config.accuracy) plan.inputs.push_back(of_option("accuracy_scene", config.accuracy->scene));
+  if (config.snapshots) plan.inputs.push_back(of_option("snapshots", *config.snapshots));
+  for (const auto& [name, file] : config.reports) plan.reports.push_back({"option -" + name + " :" + file, file});
   return plan;
 }
 
@@ -53,8 +56,7 @@ void Outputs::publish(const std::function<void()>& give_names) const {
 
 Outputs claim_model(MPI_Comm comm, const config::Config& config) {
   auto plan = common(config);
-  if (config.accuracy) plan.inputs.push_back(of_option("accuracy_scene", config.accuracy->scene));
-  if (config.snapshots) plan.inputs.push_back(of_option("snapshots", *config.snapshots));
+  plan.outputs.push_back(of_option("output", config.output));
   if (config.reuse) plan.replaceable.push_back(of_option("reuse", *config.reuse));
   plan.outputs.push_back(beside("the table", files::table_beside(config.output, "frequencies")));
   for (const auto& file : exported_files(config)) plan.outputs.push_back(beside("the matrix", file));
@@ -63,8 +65,17 @@ Outputs claim_model(MPI_Comm comm, const config::Config& config) {
   return {comm, plan};
 }
 
+std::optional<Outputs> claim_reports(MPI_Comm comm, const config::Config& config) {
+  if (config.reports.empty()) return std::nullopt;
+  auto plan = common(config);
+  if (config.reuse) plan.inputs.push_back(of_option("reuse", *config.reuse));
+  plan.links.push_back(of_option("output", config.output));
+  return Outputs(comm, plan);
+}
+
 Outputs claim_motion(MPI_Comm comm, const config::Config& config, const scene::Scene& scene) {
   auto plan = common(config);
+  plan.outputs.push_back(of_option("output", config.output));
   plan.inputs.push_back(of_option("scene", config.full.scene));
   if (config.full.restart) plan.replaceable.push_back(of_option("restart", *config.full.restart));
   if (config.full.frames.value_or(1) > 0) plan.outputs.push_back(beside("the file", xdmf_path(config.output)));

@@ -36,6 +36,9 @@ class Outputs {
 /// the model that the run replaces. *Collective*.
 Outputs claim_model(MPI_Comm comm, const config::Config& config);
 
+/// What a run without a model writes (-plan): the reports of solvers, if any. The output keeps its name. *Collective*.
+std::optional<Outputs> claim_reports(MPI_Comm comm, const config::Config& config);
+
 /// What ritz-full writes under `scene`; -restart may name the file that the run replaces. *Collective*.
 Outputs claim_motion(MPI_Comm comm, const config::Config& config, const scene::Scene& scene);
 

@@ -12,7 +12,6 @@
 #include "ritz/app/plausible.hpp"
 #include "ritz/app/progress.hpp"
 #include "ritz/app/reduce.hpp"
-#include "ritz/app/reports.hpp"
 #include "ritz/app/resources.hpp"
 #include "ritz/app/static_path.hpp"
 #include "ritz/app/warnings.hpp"
@@ -46,8 +45,8 @@ void refuse_an_empty_model(const config::Config& config, const mesh::Mesh& mesh,
 
 void reduce(MPI_Comm comm, const config::Config& config) {
   Progress progress(comm, config.voice);
-  const auto outputs = config.goal == config::Goal::model ? std::optional(claim_model(comm, config)) : std::nullopt;
-  refuse_reports(comm, config);
+  const bool plan_alone = config.goal == config::Goal::plan;
+  const auto outputs = plan_alone ? claim_reports(comm, config) : claim_model(comm, config);
   for (const auto& text : config.warnings) progress.warn(text);
   const auto scene = config.accuracy ? std::optional(read_scene(comm, config.accuracy->scene)) : std::nullopt;
   const auto mesh = progress.stage("mesh", [&] { return mesh::read(comm, config.source); });
@@ -61,7 +60,7 @@ void reduce(MPI_Comm comm, const config::Config& config) {
   const auto full = progress.stage("assemble", [&] { return stages::assemble(mesh, dofs, materials); });
   const auto options = choose_strategy(config, dofs);
   auto earlier = reuse(config, mesh, dofs, materials, options, progress);
-  if (config.goal == config::Goal::plan) return print_plan(config, mesh, dofs, full, options, earlier, progress);
+  if (plan_alone) return print_plan(config, mesh, dofs, full, options, earlier, progress);
   const auto path = earlier.basis ? std::nullopt : static_path(config, scene, mesh, dofs, full, progress);
   const auto modes = earlier.basis ? earlier.basis->modes : progress.stage("modes", [&] {
     return stages::linear_modes(mesh, dofs, full, options, earlier.modes,

@@ -81,9 +81,9 @@ std::optional<Claim::Version> Claim::version(const fs::path& path) {
 }
 
 Claim::Claim(Plan plan) : plan_(std::move(plan)) {
+  const auto outputs = written();
   refuse(plan_.inputs);
-  for (const auto& link : plan_.links) refuse_link(link, plan_.outputs);
-  const auto& outputs = plan_.outputs;
+  for (const auto& link : plan_.links) refuse_link(link, outputs);
   for (std::size_t i = 1; i < outputs.size(); ++i) {
     refuse_input(outputs[i], plan_.replaceable);
     for (std::size_t j = 0; j < i; ++j)
@@ -92,7 +92,7 @@ Claim::Claim(Plan plan) : plan_(std::move(plan)) {
                          ": choose another name");
   }
   for (const auto& output : outputs) refuse_place(output);
-  for (const auto& output : outputs) before_.push_back(version(output.path));
+  for (const auto& output : plan_.outputs) before_.push_back(version(output.path));
   // What the run is for first, as that is the name to tell; the others in one order for all runs, so that of two that
   // share them one gets them all.
   auto sorted = outputs;
@@ -104,7 +104,8 @@ Claim::Claim(Plan plan) : plan_(std::move(plan)) {
     for (const int held : held_) ::close(held);
     throw;
   }
-  say_when_interrupted(outputs.front().path.string() + (before_.front() ? " is what it was" : " was not written"));
+  if (!plan_.outputs.empty())
+    say_when_interrupted(outputs.front().path.string() + (before_.front() ? " is what it was" : " was not written"));
 }
 
 Claim::~Claim() {
@@ -113,6 +114,12 @@ Claim::~Claim() {
 
 Claim::Claim(Claim&& other) noexcept
     : plan_(std::move(other.plan_)), before_(std::move(other.before_)), held_(std::exchange(other.held_, {})) {}
+
+std::vector<Named> Claim::written() const {
+  auto all = plan_.outputs;
+  all.insert(all.end(), plan_.reports.begin(), plan_.reports.end());
+  return all;
+}
 
 void Claim::hold(const Named& output) {
   const int held = ::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);
@@ -130,7 +137,7 @@ void Claim::hold(const Named& output) {
 }
 
 void Claim::refuse(const std::vector<Named>& inputs) const {
-  for (const auto& output : plan_.outputs) refuse_input(output, inputs);
+  for (const auto& output : written()) refuse_input(output, inputs);
   for (const auto& link : plan_.links) refuse_link(link, inputs);
 }
 

@@ -112,11 +112,15 @@ class Hostile(InAFolder):
         (self.folder / "kept.txt").write_text("kept")
         (self.folder / "link.txt").symlink_to("kept.txt")
         (self.folder / "a.opts").write_text("-modes 3\n")
-        for name in ("model.h5", "link.txt", "a.opts", "none/log", "home/.."):
+        for name in ("model.h5", "frequencies.csv", "model_K.mtx", "link.txt", "a.opts", "none/log", "home/.."):
             with self.subTest(name):
                 before = self.files()
-                result = self.run_alone(*BOX, "-options_file", "a.opts", "-log_view", f":{name}")
+                result = self.run_alone(*BOX, "-options_file", "a.opts", "-export", "matrixmarket", "-log_view", f":{name}")
                 self.expect_one_sentence(result, before, "-log_view", name)
+        for name in ("model.h5", "a.opts"):
+            with self.subTest(plan=name):
+                result = self.run_alone(*BOX, "-options_file", "a.opts", "-plan", "-log_view", f":{name}")
+                self.expect_one_sentence(result, self.files(), "-log_view", name)
         self.assertEqual((self.folder / "kept.txt").read_text(), "kept")
 
     def test_a_wrong_option_leaves_no_report(self):

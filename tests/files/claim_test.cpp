@@ -81,6 +81,22 @@ TEST(Claim, RefusesOneNameTwice) {
         ThrowsMessage<InputError>(HasSubstr("writes besides")));
 }
 
+TEST(Claim, RefusesReportsInThePlaceOfOtherFilesAndLetsThemChange) {
+  const Folder folder;
+  test::save(folder / "a.inp", "mesh");
+  const auto model = named(folder / "a.h5"), table = named(folder / "a.csv"), log = named(folder / "log");
+  const auto mesh = named(folder / "a.inp");
+  for (const auto& report : {model, table, mesh})
+    EXPECT_THROW(Claim({.outputs = {model, table}, .inputs = {mesh}, .reports = {report}}), InputError);
+  EXPECT_THROW(Claim({.outputs = {model}, .reports = {log, log}}), InputError);
+  EXPECT_THROW(Claim({.outputs = {}, .links = {model}, .reports = {model}}), InputError);
+  const Claim claim({.outputs = {model}, .reports = {log}});
+  EXPECT_THAT([&] { Claim({.outputs = {table}, .reports = {log}}); },
+              ThrowsMessage<InputError>(HasSubstr("another run is writing")));
+  test::save(log.path, "by PETSc");
+  EXPECT_NO_THROW(claim.verify());
+}
+
 TEST(Claim, LeavesLinksToWhatTheyLeadTo) {
   const Folder folder;
   test::save(folder / "a.h5", "");

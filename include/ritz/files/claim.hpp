@@ -16,10 +16,11 @@ struct Named {
 
 /// What a run reads and writes besides.
 struct Plan {
-  std::vector<Named> outputs;           ///< the first is what the run is for
+  std::vector<Named> outputs;           ///< the first is what the run is for; none where there are reports alone
   std::vector<Named> links = {};        ///< made beside them where nothing stands in their place
   std::vector<Named> inputs = {};       ///< none of them may be written over
   std::vector<Named> replaceable = {};  ///< the same, but the first output may take their place (-restart)
+  std::vector<Named> reports = {};      ///< outputs that others (PETSc) write as the run goes: not for `verify`
 };
 
 /// Holds the names of a run's outputs until it ends. Of two runs of one machine that would write one name, the second
@@ -54,6 +55,7 @@ class Claim {
   };
   static std::optional<Version> version(const std::filesystem::path& path);
   void hold(const Named& output);
+  std::vector<Named> written() const;  ///< outputs and reports
 
   Plan plan_;
   std::vector<std::optional<Version>> before_;
