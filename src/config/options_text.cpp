@@ -68,8 +68,9 @@ bool is_option(std::string_view word) {
 }
 
 std::vector<Option> parse_plain_options(const std::string& text, const std::string& file) {
+  constexpr std::string_view mark = "\xef\xbb\xbf";  // of UTF-8, as editors of Windows write it
   std::vector<Option> options;
-  std::istringstream in(text);
+  std::istringstream in(text.starts_with(mark) ? text.substr(mark.size()) : text);
   std::string line;
   for (int number = 1; std::getline(in, line); ++number) read_line(line, file + ":" + std::to_string(number), options);
   return options;

@@ -90,8 +90,9 @@ Load load(const Section& section) {
 Probe probe(const Section& section, const std::vector<Probe>& earlier) {
   const Entry name = section.get("name");
   Probe probe{.name = text(name), .target = target(section)};
-  if (probe.name.empty() || probe.name.find_first_of(",\"\r\n") != std::string::npos)
-    fail(name, name.name + " heads a column: it must not be empty nor hold a comma, a quote or a line break");
+  const auto unfit = [](unsigned char c) { return c == ',' || c == '"' || c < ' ' || c == 0x7f; };
+  if (probe.name.empty() || std::any_of(probe.name.begin(), probe.name.end(), unfit))
+    fail(name, name.name + " heads a column: it must not be empty nor hold a comma, a quote or a control character");
   for (const auto& other : earlier)
     if (other.name == probe.name) fail(name, "two probes are named '" + printable(probe.name) + "'");
   return probe;

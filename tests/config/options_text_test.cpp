@@ -36,6 +36,12 @@ TEST(PlainOptions, KeepLongValuesWhole) {
   }
 }
 
+TEST(PlainOptions, BeginAfterAByteOrderMark) {
+  EXPECT_THAT(parse_plain_options("\xef\xbb\xbf-modes 2\r\n-quiet\r\n", "a.opts"),
+              ElementsAre(Option{"modes", "2"}, Option{"quiet", ""}));
+  EXPECT_THAT(parse_yaml_options("\xef\xbb\xbfmodes: 2\n", "a.yaml"), ElementsAre(Option{"modes", "2"}));
+}
+
 TEST(YamlOptions, AreFlatNestedAndListed) {
   EXPECT_THAT(parse_yaml_options(
                   "# ours\nmodes: 5\nmaterial: {young: 2e9, lid: {density: 10}}\nfix: [xmin, 'xmax:z']\n", "a.yaml"),

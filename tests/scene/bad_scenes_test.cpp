@@ -79,6 +79,7 @@ const std::vector<Bad> bad_scenes = {
     {time + "[[probe]]\nname = 'a'", ":4: [[probe]] needs a 'set' or a 'vertex'"},
     {time + "[[probe]]\nname = 'a,b'\nset = 'a'", ":5: 'name' of [[probe]] heads a column"},
     {time + "[[probe]]\nname = ''\nset = 'a'", ":5: 'name' of [[probe]] heads a column"},
+    {time + "[[probe]]\nname = \"\\u001b[31m\"\nset = 'a'", ":5: 'name' of [[probe]] heads a column"},
     {time + "[[probe]]\nname = 'p'\nset = 'a'\n[[probe]]\nname = 'p'\nset = 'b'", ":8: two probes are named 'p'"},
 };
 
