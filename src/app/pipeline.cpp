@@ -13,6 +13,7 @@
 #include "ritz/app/progress.hpp"
 #include "ritz/app/reduce.hpp"
 #include "ritz/app/resources.hpp"
+#include "ritz/app/snapshots.hpp"
 #include "ritz/app/static_path.hpp"
 #include "ritz/app/warnings.hpp"
 #include "ritz/app/write_model.hpp"
@@ -60,6 +61,7 @@ void reduce(MPI_Comm comm, const config::Config& config) {
   const auto full = progress.stage("assemble", [&] { return stages::assemble(mesh, dofs, materials); });
   const auto options = choose_strategy(config, dofs);
   auto earlier = reuse(config, mesh, dofs, materials, options, progress);
+  if (config.snapshots && !earlier.basis) count_snapshots(*config.snapshots, mesh);  // before the long work
   if (plan_alone) return print_plan(config, mesh, dofs, full, options, earlier, progress);
   const auto path = earlier.basis ? std::nullopt : static_path(config, scene, mesh, dofs, full, progress);
   const auto modes = earlier.basis ? earlier.basis->modes : progress.stage("modes", [&] {

@@ -12,6 +12,7 @@
 
 #include "ritz/app/npy.hpp"
 #include "ritz/base/error.hpp"
+#include "ritz/base/regular_file.hpp"
 #include "ritz/format/checksum.hpp"
 #include "ritz/format/schema.hpp"
 #include "ritz/format/stored_file.hpp"
@@ -98,9 +99,8 @@ class Hdf5Snapshots : public Snapshots {
 };
 
 std::unique_ptr<Snapshots> open(const std::filesystem::path& file) {
-  if (!std::filesystem::exists(file) || std::filesystem::is_directory(file))
-    refuse_snapshots(file, "there is no such file");
-  if (!std::filesystem::is_regular_file(file)) refuse_snapshots(file, "that is not a regular file");
+  if (!std::filesystem::exists(file)) refuse_snapshots(file, "there is no such file");
+  refuse_irregular(file, "option -snapshots " + file.string());
   if (file.extension() == ".npy") return std::make_unique<NumpySnapshots>(file);
   return std::make_unique<Hdf5Snapshots>(file);
 }

@@ -81,7 +81,7 @@ TEST(SetName, ThatNoSetHasSuggestsAnother) {
       [] {
         vertices({"left", "right"}, "nset:left");
       },
-      ThrowsMessage<InputError>(HasSubstr("write it 'left'")));
+      ThrowsMessage<InputError>(HasSubstr("write 'left'")));
   EXPECT_THAT(meant_sets({"left"}, "right", SetUse::vertices), IsEmpty());
   EXPECT_THAT(meant_sets({"elset:a", "surface:a"}, "a", SetUse::vertices), ElementsAre("elset:a", "surface:a"));
 }

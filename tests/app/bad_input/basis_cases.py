@@ -81,6 +81,8 @@ SIZES = [
 
 SNAPSHOTS = [
     bad("snapshots that are not there", "-snapshots none.npy", "none.npy", "no such file"),
+    bad("snapshots, before modes that fail", "-snapshots s.npy -basis 1 -modes_eps_type power -modes_eps_max_it 1",
+        "-snapshots s.npy", "two dimensions", files={"s.npy": npy(GOOD[0])}),
     bad("snapshots without a value", "-snapshots -quiet", "-snapshots"),
     snapshots("of the wrong length", npy(GOOD[:, :-3]), "33", "36"),
     snapshots("that hold NaN", npy(with_number(np.nan)), "snapshot 2", "finite"),
