@@ -77,11 +77,7 @@ TEST(SetName, ThatNoSetHasSuggestsAnother) {
       },
       ThrowsMessage<InputError>(HasSubstr("no set 'lfet'; did you mean 'left'?")));
   EXPECT_THAT([] { vertices({}, "left"); }, ThrowsMessage<InputError>(HasSubstr("no named sets")));
-  EXPECT_THAT(
-      [] {
-        vertices({"left", "right"}, "nset:left");
-      },
-      ThrowsMessage<InputError>(HasSubstr("write 'left'")));
+  EXPECT_THAT([] { vertices({"left", "right"}, "nset:left"); }, ThrowsMessage<InputError>(HasSubstr("write 'left'")));
   EXPECT_THAT(meant_sets({"left"}, "right", SetUse::vertices), IsEmpty());
   EXPECT_THAT(meant_sets({"elset:a", "surface:a"}, "a", SetUse::vertices), ElementsAre("elset:a", "surface:a"));
 }
