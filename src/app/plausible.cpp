@@ -17,22 +17,29 @@ namespace {
 
 // From the softest gels to diamond, from aerogel to osmium.
 constexpr double least_young = 10, most_young = 1.5e12, least_density = .5, most_density = 2.4e4;
-constexpr double least_speed = .3, most_speed = 2.5e4;     ///< √(E/ρ), m/s
-constexpr double metal_density = 3000, metal_speed = 300;  ///< what is denser than rock is a metal or a ceramic
-constexpr double smallest = 1e-8, largest = 2e3;           ///< of bodies that a guess of units may lead to, m
-constexpr double most_mass = 1e6;                          ///< kg
-constexpr double shortest_of_millimetres = 3e-4;           ///< m
+constexpr double least_speed = .3, most_speed = 2.5e4;  ///< √(E/ρ), m/s
+constexpr double dense = 2000, dense_speed = 12;  ///< filled elastomers and soils are faster; metals in MPa are not
+constexpr double hard_speed = 300;                ///< of a guess: what is dense is a metal, a stone or a ceramic
+constexpr double light = 10, light_speed = 2e3;   ///< of a guess: what is light is a foam
+constexpr double smallest = 1e-8, largest = 2e3;  ///< of bodies that a guess of units may lead to, m
+constexpr double most_mass = 1e6;                 ///< kg
+constexpr double shortest_of_millimetres = 3e-4;  ///< m
 
 bool within(double value, double least, double most) { return value >= least && value <= most; }
 
-bool plausible(double young, double density) {
-  const double speed = std::sqrt(young / density);
+bool possible(double young, double density) {
   return within(young, least_young, most_young) && within(density, least_density, most_density) &&
-         within(speed, density > metal_density ? metal_speed : least_speed, most_speed);
+         within(std::sqrt(young / density), density > dense ? dense_speed : least_speed, most_speed);
 }
 
-bool plausible(double young, double density, const Extent& extent) {
-  return plausible(young, density) && within(extent.size.maxCoeff(), smallest, largest) && extent.mass <= most_mass;
+bool likely(double young, double density) {
+  const double speed = std::sqrt(young / density);
+  return possible(young, density) && (density < dense || speed > hard_speed) &&
+         (density > light || speed < light_speed);
+}
+
+bool likely(double young, double density, const Extent& extent) {
+  return likely(young, density) && within(extent.size.maxCoeff(), smallest, largest) && extent.mass <= most_mass;
 }
 
 /// The numbers of a file and its options, taken in another system than they were.
@@ -45,24 +52,35 @@ std::optional<std::string> likely_units(std::initializer_list<const char*> syste
                                         const Extent& extent, const mesh::Units& from) {
   for (const char* name : systems) {
     const auto to = mesh::parse_units(name);
-    if (plausible(m.young * (to.pressure() / from.pressure()), m.density * (to.density() / from.density()),
-                  reread(extent, from, to)))
+    if (likely(m.young * (to.pressure() / from.pressure()), m.density * (to.density() / from.density()),
+               reread(extent, from, to)))
       return name;
   }
   return std::nullopt;
 }
 
-/// "a Young's modulus in MPa": the one unit, or two, that the options would be in if lengths are right.
-std::optional<std::string> likely_constants(const fem::StVK& m) {
-  struct Unit {
-    const char* name;
-    double factor;
-  };
-  for (const Unit& stress : {Unit{"", 1}, {"MPa", 1e6}, {"GPa", 1e9}})
-    for (const Unit& density : {Unit{"", 1}, {"g/cm3", 1e3}, {"t/mm3", 1e12}, {"kg/mm3", 1e9}}) {
-      if (!plausible(m.young * stress.factor, m.density * density.factor)) continue;
-      const std::string young = stress.factor > 1 ? std::string("a Young's modulus in ") + stress.name : "";
-      const std::string rho = density.factor > 1 ? std::string("a density in ") + density.name : "";
+struct Unit {
+  const char* name;
+  double factor;  ///< to SI
+};
+
+/// The unit of `system` first, nameless, then the others.
+std::vector<Unit> all_units(double system, std::initializer_list<Unit> others) {
+  std::vector<Unit> units = {{"", system}};
+  for (const Unit& unit : others)
+    if (std::abs(unit.factor / system - 1) > 1e-9) units.push_back(unit);
+  return units;
+}
+
+/// "a Young's modulus in MPa": the one unit, or two, that the numbers given would be in if lengths are right.
+std::optional<std::string> likely_constants(const fem::StVK& m, const mesh::Units& from) {
+  for (const Unit& stress : all_units(from.pressure(), {{"Pa", 1}, {"MPa", 1e6}, {"GPa", 1e9}, {"psi", 6894.757}}))
+    for (const Unit& density :
+         all_units(from.density(),
+                   {{"kg/m3", 1}, {"g/cm3", 1e3}, {"t/mm3", 1e12}, {"kg/mm3", 1e9}, {"lbf s2/in4", 1.06869e7}})) {
+      if (!likely(m.young * (stress.factor / from.pressure()), m.density * (density.factor / from.density()))) continue;
+      const std::string young = *stress.name ? std::string("a Young's modulus in ") + stress.name : "";
+      const std::string rho = *density.name ? std::string("a density in ") + density.name : "";
       return young + (young.empty() || rho.empty() ? "" : " and ") + rho;
     }
   return std::nullopt;
@@ -78,7 +96,7 @@ std::string unlikely_material(const mesh::Region& region, const fem::StVK& m, co
                            " (a wave speed of " + shown(std::sqrt(m.young / m.density), 3) + " m/s)";
   const std::string looks = ": the numbers look like those of -units ";
   if (const auto other = likely_units({"m-kg-s", "mm-t-s", "mm-kg-ms"}, m, extent, units)) return what + looks + *other;
-  if (const auto other = likely_constants(m))
+  if (const auto other = likely_constants(m, units))
     return what + ": they look like " + *other + ", and must be in those of -units " + units.name;
   if (const auto other = likely_units({"cm-g-s", "mm-g-ms", "um-kg-s", "mm-kg-s", "um-g-us"}, m, extent, units))
     return what + looks + *other;
@@ -121,7 +139,7 @@ std::vector<std::string> unit_warnings(const Extent& extent, const std::vector<m
   const auto& units = config.source.units;
   const double length = extent.size.maxCoeff();
   for (std::size_t i = 0; i < materials.size(); ++i)
-    if (!plausible(materials[i].young, materials[i].density))
+    if (!possible(materials[i].young, materials[i].density))
       return {unlikely_material(regions[i], materials[i], extent, units)};
   const std::string body = "the body is " + shown(length, 3) + " m long and weighs " + shown(extent.mass, 3) + " kg";
   if (config.units == config::UnitsOf::nobody && extent.mass > most_mass)

@@ -157,6 +157,39 @@ class Short(Faulty):
             self.assertEqual(result.stdout, "model.h5\nearlier\n")
 
 
+class Limited(Faulty):
+    """Of address space, from the start: OpenBLAS would ask for its work space for ever."""
+
+    def run_in(self, megabytes, ranks, words):
+        script = f"ulimit -v {megabytes * 1024}; exec \"$@\""
+        command = [*(["mpirun", "-n", "2"] if ranks == 2 else []), "bash", "-c", script, "-", *words]
+        environment = {name: value for name, value in os.environ.items()
+                       if name not in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS")}
+        return subprocess.run(command, cwd=self.folder, capture_output=True, text=True, timeout=60, env=environment)
+
+    def test_from_too_little_to_enough(self):
+        (self.folder / "scene.toml").write_text(SWING.replace("end = 1", "end = 0.04"))
+        modes = [BIN / "ritz-reduce", *BOX, "-fix", "xmin", "-quiet"]
+        for words in (modes, [BIN / "ritz-full", *FULL, "-quiet"]):
+            for megabytes in (350, 420, 460, 480, 2000):
+                with self.subTest(program=words[0].name, megabytes=megabytes):
+                    result = self.run_in(megabytes, 1, words)
+                    self.assertIn(result.returncode, (0,) if megabytes == 2000 else (0, 1), result.stderr)
+                    if result.returncode == 0:
+                        self.write_earlier_output()
+                        continue
+                    self.assertEqual(len(sentences(result.stderr)), 1, result.stderr)
+                    self.assertIn("memory ran out", result.stderr)
+                    self.expect_earlier_output()
+                    self.assertFalse([name for name in self.files() if name.endswith(".part")])
+
+    def test_ranks(self):
+        result = self.run_in(420, 2, [BIN / "ritz-reduce", *BOX, "-fix", "xmin", "-quiet"])
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertEqual(len(sentences(result.stderr)), 1, result.stderr)
+        self.expect_earlier_output()
+
+
 class Alone(Faulty):
     def test_a_rank_that_runs_out_of_memory_alone_takes_the_others_along(self):
         """Wherever it is, and whatever the others wait for, in Open MPI and in MUMPS too."""

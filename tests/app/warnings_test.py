@@ -42,26 +42,39 @@ class Warnings(InAFolder):
 
     def test_units_mixed_up(self):
         steel, in_megapascals = ("2.1e11", "7850"), ("2.1e5", "7.85e-9")
+        mm, m = "100,20,10", ".1,.02,.01"
+        in_millimetres = ["-units", "mm-t-s"]
         for size, (young, density), words, says in [
-                ("100,20,10", steel, [], "-units mm-t-s"),
-                ("100,20,10", in_megapascals, [], "-units mm-t-s"),
-                ("100,20,10", ("210", "7.85e-6"), [], "-units mm-kg-ms"),
-                (".1,.02,.01", ("2.1e5", "7850"), [], "MPa"),
-                (".1,.02,.01", ("210", "7850"), [], "GPa"),
-                (".1,.02,.01", ("2.1e11", "7.85"), [], "g/cm3"),
-                (".1,.02,.01", in_megapascals, ["-units", "mm-t-s"], "-units m-kg-s"),
-                ("100,20,10", steel, ["-units", "mm-t-s"], "-units mm-t-s")]:
+                (mm, steel, [], "-units mm-t-s"),
+                ("300,200,100", ("7e10", "2700"), [], "-units mm-t-s"),
+                ("100,20,10", ("1e6", "1000"), [], "-units mm-t-s"),
+                (mm, in_megapascals, [], "-units mm-t-s"),
+                (mm, ("210", "7.85e-6"), [], "-units mm-kg-ms"),
+                (m, ("2.1e5", "7850"), [], "a Young's modulus in MPa"),
+                (m, ("7e4", "2700"), [], "a Young's modulus in MPa"),
+                (m, ("210", "7850"), [], "a Young's modulus in GPa"),
+                (m, ("2.1e11", "7.85"), [], "a density in g/cm3"),
+                (m, ("2.1e11", "7.85e-9"), [], "a density in t/mm3"),
+                ("4,1,.5", ("3e7", "7.3e-4"), [], "in psi and a density in lbf s2/in4"),
+                (m, in_megapascals, in_millimetres, "-units m-kg-s"),
+                (mm, steel, in_millimetres, "a Young's modulus in Pa and a density in kg/m3"),
+                (mm, ("2.1e11", "7.85e-9"), in_millimetres, "a Young's modulus in Pa,"),
+                (mm, ("2.1e5", "7850"), in_millimetres, "a density in kg/m3")]:
             with self.subTest(size=size, young=young, density=density, words=words):
                 said = self.part(size, young, density, *words)
                 self.assertEqual(len(said.splitlines()), 1, said)
                 self.assertIn(says, said)
 
     def test_units_that_are_right(self):
+        in_micrometres, in_millimetres = ["-units", "um-kg-s"], ["-units", "mm-t-s"]
         for size, young, density, words in [
                 (".1,.02,.01", "2.1e11", "7850", []), ("1,.1,.06", "1e6", "1000", []), ("20,3,2", "3e10", "2400", []),
-                ("100,20,10", "2.1e11", "7850", ["-units", "m-kg-s"]),
-                ("100,20,10", "2.1e5", "7.85e-9", ["-units", "mm-t-s"]),
-                ("100,20,10", "1.6e5", "2.33e-15", ["-units", "um-kg-s"]), (".01,.002,.001", "1e3", "1000", [])]:
+                ("100,20,10", "2.1e11", "7850", ["-units", "m-kg-s"]), ("200,30,4", "2.1e11", "7850", ["-units", "m-kg-s"]),
+                ("100,20,10", "2.1e5", "7.85e-9", in_millimetres), ("20,1,.4", "2.1e5", "7.85e-9", in_millimetres),
+                ("100,20,10", "1.6e5", "2.33e-15", in_micrometres), ("300,20,20", "1.6e5", "2.33e-15", in_micrometres),
+                (".01,.002,.001", "1e3", "1000", []), (".1,.1,.1", "1e5", "3", []), (".1,.1,.1", "1e4", "1.2", []),
+                (".003,.003,.003", "1.22e12", "3515", []), (".1,.1,.1", "5.6e11", "22590", []),
+                (".1,.1,.1", "1e6", "3500", []), ("10,1,1", "2.06e12", "7.85", ["-units", "cm-g-s"])]:
             with self.subTest(size=size, young=young):
                 self.assertEqual(self.part(size, young, density, *words), "")
 

@@ -51,6 +51,15 @@ class RitzRun(unittest.TestCase):
         self.assertEqual(result.stdout, "")
         self.assertEqual(self.outputs(), set())
 
+    def test_an_overdamped_ratio_is_warned_of(self):
+        for ratio, warned in (("2", True), ("[0.02, 1]", True), ("0.02", False)):
+            with self.subTest(ratio=ratio):
+                (self.folder / "scene.toml").write_text(SCENE + f"[damping]\nratio = {ratio}\n")
+                result = self.run_it("model.h5", "--scene", "scene.toml", "--quiet")
+                self.assertEqual(result.returncode, 0, result.stderr)
+                self.assertEqual(len(result.stderr.splitlines()), 1 if warned else 0, result.stderr)
+                self.assertEqual("overdamped" in result.stderr, warned)
+
     def test_runs(self):
         result = self.run_it("model.h5", "--scene", "scene.toml")
         self.assertEqual((result.returncode, result.stderr), (0, ""))
