@@ -211,7 +211,7 @@ class Alone(Faulty):
                 said += err
                 self.expect_earlier_output()
                 self.assertEqual(self.files(), {*EARLIER, "scene.toml"})
-        self.assertIn("ritz-reduce: memory ran out", said)  # not of all: what Open MPI needs may lack too
+        self.assertIn("memory ran out", said)  # not of all: what Open MPI needs may lack too
 
 
 if __name__ == "__main__":

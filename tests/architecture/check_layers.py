@@ -19,6 +19,7 @@ OUTSIDE = [
     (r"CLI/\w+\.hpp", {"tools"}),
     (r"toml\+\+/\w+\.h", {"scene"}),
     (r"metis\.h|pugixml\.hpp|zlib\.h|lz4\.h|lzma\.h", {"mesh"}),
+    (r"yaml\.h", {"config"}),
     (r"(unistd|fcntl|signal|dlfcn|malloc|errno)\.h|sys/\w+\.h", EVERYWHERE_ABOVE_RUNTIME),
 ]
 STANDARD = r"[a-z_]+"  # <vector>, <cmath>: no folder and no ending

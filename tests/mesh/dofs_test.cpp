@@ -105,7 +105,7 @@ TEST_F(DofsOfABox, NeverSuggestWhatWasAsked) {
       [&] {
         number(mesh, {{"a", {true, true, true}, "a,b"}});
       },
-      ThrowsMessage<InputError>(HasSubstr("did you mean '\"a,b\"'?")));
+      ThrowsMessage<InputError>(HasSubstr("write it in double quotes, '\"a,b\"'")));
   EXPECT_THAT([&] { number(mesh, {set("ymni:up")}); },
               ThrowsMessage<InputError>(AllOf(HasSubstr("'up' are no components"), HasSubstr("did you mean 'ymin'?"))));
 }

@@ -56,7 +56,7 @@ std::string offered(const std::string& refusal) {
   const auto found = refusal.find(before);
   if (found == refusal.npos) return {};
   const auto begin = found + before.size();
-  const auto word = refusal.substr(begin, refusal.find('\'', begin) - begin);
+  const auto word = refusal.substr(begin, refusal.find("' leaves", begin) - begin);  // it may hold quotes of its own
   return word.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") == word.npos ? word : "";
 }
 
