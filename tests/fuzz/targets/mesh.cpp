@@ -2,6 +2,7 @@
 // range. What a refusal offers to ignore is ignored, as a user would, and must then be no reason any more.
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "fuzz/target.hpp"
 #include "ritz/base/error.hpp"
@@ -50,13 +51,17 @@ void check_sets(const mesh::FileMesh& mesh) {
     require(in_range(support.vertices, mesh.points.size()), "a support of a vertex that there is not");
 }
 
-/// The word of "'-ignore WORD'", where a user could type it.
+/// The word of "'-ignore WORD' leaves it out" or "'-ignore WORD' reads it as", where a user could type it. A keyword
+/// that has a quote in it is none.
 std::string offered(const std::string& refusal) {
   constexpr std::string_view before = "'-ignore ";
   const auto found = refusal.find(before);
   if (found == refusal.npos) return {};
-  const auto begin = found + before.size();
-  const auto word = refusal.substr(begin, refusal.find("' leaves", begin) - begin);  // it may hold quotes of its own
+  const auto begin = found + before.size(), end = refusal.find('\'', begin);
+  if (end == refusal.npos) return {};
+  const auto after = std::string_view(refusal).substr(end + 1);
+  if (!after.starts_with(" leaves it out") && !after.starts_with(" reads it as")) return {};
+  const auto word = refusal.substr(begin, end - begin);
   return word.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") == word.npos ? word : "";
 }
 
