@@ -28,12 +28,12 @@ class InAFolder(unittest.TestCase):
     def files(self):
         return {path.name for path in self.folder.iterdir()}
 
-    def frequencies(self, folder="."):
-        with open(self.folder / folder / "frequencies.csv", newline="") as file:
+    def frequencies(self, folder=".", table="frequencies.csv"):
+        with open(self.folder / folder / table, newline="") as file:
             return list(csv.DictReader(file))
 
-    def eigenvalues(self, folder="."):
-        return [float(row["eigenvalue"]) for row in self.frequencies(folder)]
+    def eigenvalues(self, folder=".", table="frequencies.csv"):
+        return [float(row["eigenvalue"]) for row in self.frequencies(folder, table)]
 
     def body(self, name="model.h5"):
         file = h5py.File(self.folder / name)
