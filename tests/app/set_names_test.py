@@ -81,7 +81,7 @@ class SetNames(InAFolder):
         for program in ("run", "full"):
             says = self.probes(program, scene("EITHER", "GRIP", "GRIP"), code=2)
             self.assertIn("several sets 'EITHER'; say which: 'elset:EITHER' or 'surface:EITHER'", says)
-            self.assertEqual(len(says.splitlines()), 1)
+            self.assertEqual(sum(line.startswith("ritz-") for line in says.splitlines()), 1)
         refused = self.reduce("-mesh", "beam.inp", *MATERIAL, "-fix", "EITHER", code=2)
         self.assertIn("'elset:EITHER' or 'surface:EITHER'", refused.stderr)
 
