@@ -249,12 +249,12 @@ class FullDisk(Full):
             self.skipTest("no file system may be mounted here")
         self.scene()
         words = [*BEAM, "-scene", self.folder / "scene.toml", "-mesh", "box:1,.15,.1/12,4,3/hex8"]
-        for size in ("16k", "64k", "120k", "180k"):
+        for size, code in (("16k", 2), ("64k", 2), ("120k", 2), ("180k", 1)):  # 2: too small for the frames alone
             script = ('mount -t tmpfs -o size=$0 none . && cd "$PWD" && echo earlier > full.h5 && '
                       'mpirun -n 2 "$@" >/dev/null; code=$?; ls; cat full.h5; exit $code')
             result = subprocess.run(["unshare", "-m", "sh", "-c", script, size, BIN / "ritz-full", *words],
                                     cwd=disk, capture_output=True, text=True, timeout=60)
-            self.assertEqual(result.returncode, 1, result.stderr)
+            self.assertEqual(result.returncode, code, result.stderr)
             self.assertEqual(len(sentences(result.stderr)), 1, result.stderr)
             self.assertEqual(result.stdout, "full.h5\nearlier\n")
 
