@@ -15,6 +15,13 @@ SCENE = '[time]\nstep = 1e-3\nend = {}\n[[load]]\nset = "xmax"\ntotal = [0, 2, 4
 PATIENT = dict(os.environ, OMPI_MCA_odls_base_sigkill_timeout="10")
 
 
+def setUpModule():
+    """A shell starts what it runs in the background with SIGINT and SIGQUIT ignored, and a program leaves them so."""
+    for number in (signal.SIGINT, signal.SIGQUIT, signal.SIGHUP):
+        if signal.getsignal(number) == signal.SIG_IGN:
+            signal.signal(number, signal.SIG_DFL)
+
+
 class Interrupts(InAFolder):
     def write(self, name, text):
         (self.folder / name).write_text(text)

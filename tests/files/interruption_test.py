@@ -10,6 +10,13 @@ PROGRAM = Path(os.environ["RITZ_BIN"]) / "interrupted"
 SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT, signal.SIGXCPU, signal.SIGPIPE)
 
 
+def setUpModule():
+    """A shell starts what it runs in the background with SIGINT and SIGQUIT ignored, and a program leaves them so."""
+    for number in (signal.SIGINT, signal.SIGQUIT, signal.SIGHUP):
+        if signal.getsignal(number) == signal.SIG_IGN:
+            signal.signal(number, signal.SIG_DFL)
+
+
 class Interruption(unittest.TestCase):
     def setUp(self):
         temporary = tempfile.TemporaryDirectory()
