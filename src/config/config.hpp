@@ -72,8 +72,8 @@ struct Config {
   std::filesystem::path output = "model.h5";
   std::vector<std::filesystem::path> option_files;  ///< that the command line names
   FullOptions full;
-  std::vector<Option> reports;  ///< of solvers, and the log: options whose value is a file that they write
-  std::vector<std::string> warnings;                          ///< of what was given and left unread
+  std::vector<Option> reports;        ///< of solvers, and the log: options whose value is a file that they write
+  std::vector<std::string> warnings;  ///< of what was given and left unread
   std::vector<std::pair<std::string, std::string>> resolved;  ///< every option as read or by default
 };
 

@@ -14,10 +14,10 @@ namespace ritz::stages {
 /// What the mesh adds to λ is taken as η² λ. Cells are averaged with those of like stiffness alone (Young's moduli in
 /// one octave), for strains jump where stiffness does.
 ///
-/// Against Tet10 on the same or finer cells, over some 350 modes of bars, beams, plates, blocks and cubes of one to eight
-/// layers: errors of 2 to 60 % of a frequency were estimated at .4 to 1.3 of what they are (mostly .8 to 1.1), larger
-/// ones too low, down to a quarter; one layer of cells that twist, all of one strain, is not seen. No estimate was
-/// above the true error by more than 3 points.
+/// Against Tet10 on the same or finer cells, over some 350 modes of bars, beams, plates, blocks and cubes of one to
+/// eight layers: errors of 2 to 60 % of a frequency were estimated at .4 to 1.3 of what they are (mostly .8 to 1.1),
+/// larger ones too low, down to a quarter; one layer of cells that twist, all of one strain, is not seen. No estimate
+/// was above the true error by more than 3 points.
 struct LinearCellsError {
   double frequency = 0;  ///< estimated: how much too high, relative to the right one
   double layers = 0;     ///< estimated: cells across what bends or twists, from how ε* varies within a cell

@@ -18,7 +18,8 @@ const fs::path shared = RITZ_SHARED;
 std::vector<fem::StVK> own_materials(const mesh::Mesh& mesh) {
   std::vector<fem::StVK> materials;
   for (const auto& [name, m, parts, overlap] : mesh.regions)
-    materials.push_back({m.young.value_or(soft.young), m.poisson.value_or(soft.poisson), m.density.value_or(soft.density)});
+    materials.push_back(
+        {m.young.value_or(soft.young), m.poisson.value_or(soft.poisson), m.density.value_or(soft.density)});
   return materials;
 }
 
