@@ -11,8 +11,9 @@ from program import BIN, BOX, InAFolder
 
 HELD = [*BOX, "-fix", "xmin"]
 SCENE = '[time]\nstep = 1e-3\nend = {}\n[[load]]\nset = "xmax"\ntotal = [0, 2, 4]\n[[probe]]\nname = "tip"\nset = "xmax"\n'
-# mpirun kills ranks that do not end at once; users' waits for a second, the tests' else for nothing
-PATIENT = dict(os.environ, OMPI_MCA_odls_base_sigkill_timeout="10")
+# mpirun waits so many seconds before it asks ranks to end, and again before it kills them; a second is what users have,
+# the other tests have none. What is interrupted must last longer.
+PATIENT = dict(os.environ, OMPI_MCA_odls_base_sigkill_timeout="1")
 
 
 def setUpModule():
@@ -64,11 +65,10 @@ class Interrupts(InAFolder):
         self.assertEqual((self.folder / "motion.h5").read_text(), "an earlier motion")
         self.assertEqual(self.files(), before | {"motion.h5"})
 
-    @unittest.skip("not yet seen to pass beside the refusals before the work: how it waits for a stage is to be mended")
     def test_ranks(self):
-        self.write("scene.toml", SCENE.format(1e5))
+        self.write("scene.toml", SCENE.format(1e2))
         self.write("model.h5", "an earlier model")
-        larger = [*HELD, "-mesh", "box:1,.4,.3/14,6,6/tet10", "-modes", "100"]
+        larger = [*HELD, "-mesh", "box:1,.4,.3/18,8,8/tet10", "-modes", "100"]
         runs = (("ritz-reduce", larger, self.after("assemble"), "model.h5 is what it was"),
                 ("ritz-full", [*HELD[:-4], "-fix", "xmin", "-scene", "scene.toml", "-frames", "3"], self.part("full.h5"),
                  "full.h5 was not written"))
