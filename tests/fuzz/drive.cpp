@@ -24,7 +24,8 @@ namespace {
 
 constexpr const char* usage =
     "usage: fuzz_TARGET [--inputs N] [--seconds S] [--each S] [--stream K] [--dictionary FILE] [--left FILE] PATH...\n"
-    "Runs the files PATH, or those in the folders PATH; then, with --inputs or --seconds, mutations of them.\n"
+    "Runs the files PATH, or those in the folders PATH, and prints what is said of each; or, with --inputs or --seconds,\n"
+    "runs them and mutations of them.\n"
     "--each S: the processor time of one input (2). --stream K: other mutations. --left FILE: where an input with a\n"
     "finding stays (finding-TARGET).\n";
 
@@ -91,6 +92,7 @@ class Search {
   void run() {
     const auto seeds = orders_.material.pool;
     for (const auto& seed : seeds) run(seed);
+    if (!orders_.seconds && orders_.inputs == 0) return;
     Random random(orders_.stream);
     while (goes_on()) {
       const auto input = mutated(orders_.material, random);
@@ -115,6 +117,7 @@ class Search {
     watch_.end(input);
     ++count_;
     if (!said.empty()) ++refused_;
+    if (!orders_.seconds && orders_.inputs == 0) std::fprintf(stderr, "%s\n", said.empty() ? "accepted" : said.c_str());
     return kinds_.insert(kind_of(said)).second;
   }
 

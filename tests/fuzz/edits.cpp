@@ -1,10 +1,18 @@
 #include "fuzz/edits.hpp"
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cerrno>
+#include <csignal>
+#include <fstream>
+#include <iterator>
 #include <limits>
 
+#include "fuzz/target.hpp"
 #include "ritz/format/checksum.hpp"
 #include "ritz/format/schema.hpp"
 
@@ -194,6 +202,27 @@ void change_attribute(hid_t file, const Paths& paths, Choices& choices) {
   write_attribute(object.get(), name.data(), type.get(), space.get(), bytes.empty() ? nullptr : bytes.data());
 }
 
+void edit(hid_t file, const Paths& paths, Choices& choices) {
+  constexpr std::array changes = {change_value, change_value,     replace_dataset,
+                                  change_link,  change_attribute, make_view};
+  changes[choices.below(changes.size())](file, paths, choices);
+}
+
+/// In a process of its own, since HDF5 itself crashes on some edits of what was edited before.
+[[noreturn]] void edit_and_exit(const std::filesystem::path& path, const Paths& paths, Choices choices) {
+  for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGALRM}) signal(number, SIG_DFL);
+  constexpr unsigned patience = 5;  // s
+  alarm(patience);
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  {
+    const Properties access(H5Pcreate(H5P_FILE_ACCESS));
+    H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110);
+    const File file(H5Fopen(path.c_str(), H5F_ACC_RDWR, access.get()));
+    for (int edits = 0; edits < 4 && !choices.ended(); ++edits) edit(file.get(), paths, choices);
+  }
+  _exit(0);
+}
+
 }  // namespace
 
 std::uint64_t Choices::number(std::size_t bytes) {
@@ -211,26 +240,22 @@ void damage(std::vector<std::byte>& image, Choices& choices) {
   }
 }
 
-format::File open_image(const std::vector<std::byte>& image) {
-  const Properties access(H5Pcreate(H5P_FILE_ACCESS));
-  constexpr std::size_t growth = 65536;
-  H5Pset_fapl_core(access.get(), growth, false);
-  H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110);
-  H5Pset_file_image(access.get(), const_cast<std::byte*>(image.data()), image.size());  // copied, never changed
-  return File(H5Fopen("edited", H5F_ACC_RDWR, access.get()));
+std::vector<std::byte> edited(const std::vector<std::byte>& image, const std::vector<std::string>& paths, Choices choices) {
+  const auto path = as_file({reinterpret_cast<const std::uint8_t*>(image.data()), image.size()}, "edited.h5");
+  const pid_t child = fork();
+  if (child == 0) edit_and_exit(path, paths, choices);
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+  constexpr std::uintmax_t most = 1 << 24;  // a dataset may have taken more of the file's addresses than there is memory
+  if (status != 0 || std::filesystem::file_size(path) > most) return {};
+  std::ifstream in(path, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  const auto all = std::as_bytes(std::span(bytes));
+  return {all.begin(), all.end()};
 }
 
-std::vector<std::byte> image_of(const format::File& file) {
-  H5Fflush(file.get(), H5F_SCOPE_GLOBAL);
-  const auto size = H5Fget_file_image(file.get(), nullptr, 0);
-  constexpr ssize_t most = 1 << 24;  // a dataset may have taken more of the file's addresses than there is memory
-  if (size > most) return {};
-  std::vector<std::byte> image(static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
-  H5Fget_file_image(file.get(), image.data(), image.size());
-  return image;
-}
-
-std::vector<std::string> paths_in(const format::File& file) {
+std::vector<std::string> paths_in(const std::filesystem::path& path) {
+  const File file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
   Paths paths;
   const auto take = [](hid_t, const char* name, const H5O_info_t*, void* to) -> herr_t {
     static_cast<Paths*>(to)->push_back(std::string("/") + (name[0] == '.' ? "" : name));
@@ -238,12 +263,6 @@ std::vector<std::string> paths_in(const format::File& file) {
   };
   H5Ovisit2(file.get(), H5_INDEX_NAME, H5_ITER_INC, take, &paths, H5O_INFO_BASIC);
   return paths;
-}
-
-void edit(const format::File& file, const std::vector<std::string>& paths, Choices& choices) {
-  constexpr std::array changes = {change_value, change_value,     replace_dataset,
-                                  change_link,  change_attribute, make_view};
-  changes[choices.below(changes.size())](file.get(), paths, choices);
 }
 
 }  // namespace ritz::fuzz

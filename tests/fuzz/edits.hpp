@@ -4,6 +4,7 @@
 #include <hdf5.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
@@ -24,19 +25,15 @@ class Choices {
   std::span<const std::uint8_t> bytes_;
 };
 
-/// A file in memory that can be changed, from the bytes of one.
-format::File open_image(const std::vector<std::byte>& image);
-/// Empty when it is larger than what a run should try.
-std::vector<std::byte> image_of(const format::File& file);
-
 /// The paths of all groups and datasets.
-std::vector<std::string> paths_in(const format::File& file);
+std::vector<std::string> paths_in(const std::filesystem::path& path);
 
 /// Overwrites up to four runs of bytes, wherever they stand.
 void damage(std::vector<std::byte>& image, Choices& choices);
 
-/// Changes one thing: a link, a dataset (shape, type, layout, values; where it can be, with the right checksum), or an
-/// attribute. What HDF5 refuses to do is not done.
-void edit(const format::File& file, const std::vector<std::string>& paths, Choices& choices);
+/// A file with up to four things changed: a link, a dataset (shape, type, layout, values; where it can be, with the right
+/// checksum), or an attribute. What HDF5 refuses to do is not done. The file is closed again: an image of an open one has
+/// a superblock with a wrong checksum. Empty when it is larger than what a run should try, or HDF5 crashed.
+std::vector<std::byte> edited(const std::vector<std::byte>& image, const std::vector<std::string>& paths, Choices choices);
 
 }  // namespace ritz::fuzz

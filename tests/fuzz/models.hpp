@@ -5,7 +5,7 @@
 namespace ritz::fuzz {
 
 /// Reads a model as ritz-inspect does, with and without --check, and as ritz-run does. Throws the first InputError that
-/// one of them has, after all had their turn; a finding where ritz-run takes what --check refuses, or the other way.
+/// one of the two has, after all had their turn; a finding where --check takes what ritz-run refuses.
 void read_as_all_programs(const format::ModelReader& in);
 
 }  // namespace ritz::fuzz

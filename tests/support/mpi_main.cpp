@@ -6,6 +6,7 @@
 #include <sanitizer/lsan_interface.h>
 #endif
 
+#include "support/unwatched.hpp"
 #include "support/verdict.hpp"
 
 namespace {
@@ -21,21 +22,11 @@ struct FailurePrinter : testing::EmptyTestEventListener {
   }
 };
 
-/// What Open MPI's plugins lose while they are tried out is theirs: by the time of a search they are unloaded and have
-/// no name that could be suppressed.
-template <class Start>
-int unwatched(Start start) {
-#ifdef __SANITIZE_ADDRESS__
-  const __lsan::ScopedDisabler disabled;
-#endif
-  return start();
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
-  const int started = unwatched([&] { return SlepcInitialize(&argc, &argv, nullptr, nullptr); });
+  const int started = ritz::test::unwatched([&] { return SlepcInitialize(&argc, &argv, nullptr, nullptr); });
   if (started != 0) return 1;
   PetscPopSignalHandler();
   int rank = 0;

@@ -34,7 +34,7 @@ struct Sample : Cube {
     const std::string bytes{std::istreambuf_iterator<char>(in), {}};
     const auto all = std::as_bytes(std::span(bytes));
     image.assign(all.begin(), all.end());
-    paths = paths_in(open_image(image));
+    paths = paths_in(path);
   }
 };
 
@@ -55,14 +55,9 @@ void read_as_snapshots(const std::filesystem::path& path, const Sample& sample) 
 void read_input(Bytes input) {
   static const Sample sample;
   Choices choices(input);
-  std::vector<std::byte> image = sample.image;
-  if (choices.below(2) == 0) {
-    const auto file = open_image(sample.image);
-    for (int edits = 0; edits < 4 && !choices.ended(); ++edits) edit(file, sample.paths, choices);
-    image = image_of(file);
-  } else {
-    damage(image, choices);
-  }
+  auto image = sample.image;
+  if (choices.below(2) == 0) image = edited(sample.image, sample.paths, choices);
+  else damage(image, choices);
   const auto path = as_file({reinterpret_cast<const std::uint8_t*>(image.data()), image.size()}, "full.h5");
   try {
     read_as_restart(path, sample.mesh);

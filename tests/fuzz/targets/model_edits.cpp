@@ -23,25 +23,17 @@ Sample make_sample() {
   std::ifstream in(path, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(in), {}};
   const auto all = std::as_bytes(std::span(bytes));
-  Sample sample{{all.begin(), all.end()}, {}};
-  sample.paths = paths_in(open_image(sample.image));
-  return sample;
+  return {{all.begin(), all.end()}, paths_in(path)};
 }
 
 }  // namespace
 
 void read_input(Bytes input) {
   static const Sample sample = make_sample();
-  std::vector<std::byte> image;
   Choices choices(input);
-  if (choices.below(2) == 0) {
-    const auto file = open_image(sample.image);
-    for (int edits = 0; edits < 4 && !choices.ended(); ++edits) edit(file, sample.paths, choices);
-    image = image_of(file);
-  } else {
-    image = sample.image;
-    damage(image, choices);
-  }
+  auto image = sample.image;
+  if (choices.below(2) == 0) image = edited(sample.image, sample.paths, choices);
+  else damage(image, choices);
   read_as_all_programs(format::ModelReader(image));
 }
 

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <ranges>
 
+#include "fuzz/parallel_setting.hpp"
 #include "fuzz/target.hpp"
 #include "ritz/config/config.hpp"
 #include "ritz/config/options_text.hpp"
-#include "ritz/petsc/session.hpp"
 
 namespace ritz::fuzz {
 namespace {
@@ -41,7 +41,7 @@ void check_reports() {
 }  // namespace
 
 void read_input(Bytes input) {
-  static const petsc::Session session("fuzz");
+  static const petsc::Session session = start();
   const std::string text(input.begin(), input.end());
   if (text.find('\0') != text.npos) return;  // is refused where files are opened
   const EmptyDatabase around;
