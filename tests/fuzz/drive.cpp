@@ -24,7 +24,8 @@ namespace {
 
 constexpr const char* usage =
     "usage: fuzz_TARGET [--inputs N] [--seconds S] [--each S] [--stream K] [--dictionary FILE] [--left FILE] PATH...\n"
-    "Runs the files PATH, or those in the folders PATH, and prints what is said of each; or, with --inputs or --seconds,\n"
+    "Runs the files PATH, or those in the folders PATH, and prints what is said of each; or, with --inputs or "
+    "--seconds,\n"
     "runs them and mutations of them.\n"
     "--each S: the processor time of one input (2). --stream K: other mutations. --left FILE: where an input with a\n"
     "finding stays (finding-TARGET).\n";

@@ -240,13 +240,15 @@ void damage(std::vector<std::byte>& image, Choices& choices) {
   }
 }
 
-std::vector<std::byte> edited(const std::vector<std::byte>& image, const std::vector<std::string>& paths, Choices choices) {
+std::vector<std::byte> edited(const std::vector<std::byte>& image, const std::vector<std::string>& paths,
+                              Choices choices) {
   const auto path = as_file({reinterpret_cast<const std::uint8_t*>(image.data()), image.size()}, "edited.h5");
   const pid_t child = fork();
   if (child == 0) edit_and_exit(path, paths, choices);
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-  constexpr std::uintmax_t most = 1 << 24;  // a dataset may have taken more of the file's addresses than there is memory
+  constexpr std::uintmax_t most =
+      1 << 24;  // a dataset may have taken more of the file's addresses than there is memory
   if (status != 0 || std::filesystem::file_size(path) > most) return {};
   std::ifstream in(path, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(in), {}};

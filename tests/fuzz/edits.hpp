@@ -31,9 +31,10 @@ std::vector<std::string> paths_in(const std::filesystem::path& path);
 /// Overwrites up to four runs of bytes, wherever they stand.
 void damage(std::vector<std::byte>& image, Choices& choices);
 
-/// A file with up to four things changed: a link, a dataset (shape, type, layout, values; where it can be, with the right
-/// checksum), or an attribute. What HDF5 refuses to do is not done. The file is closed again: an image of an open one has
-/// a superblock with a wrong checksum. Empty when it is larger than what a run should try, or HDF5 crashed.
-std::vector<std::byte> edited(const std::vector<std::byte>& image, const std::vector<std::string>& paths, Choices choices);
+/// A file with up to four things changed: a link, a dataset (shape, type, layout, values; where it can be, with the
+/// right checksum), or an attribute. What HDF5 refuses to do is not done. The file is closed again: an image of an open
+/// one has a superblock with a wrong checksum. Empty when it is larger than what a run should try, or HDF5 crashed.
+std::vector<std::byte> edited(const std::vector<std::byte>& image, const std::vector<std::string>& paths,
+                              Choices choices);
 
 }  // namespace ritz::fuzz
