@@ -37,8 +37,9 @@ fi
 mkdir -p "$tree/findings"
 "$tree/bin/fuzz_seeds" "$tree/seeds"
 
+# libFuzzer looks for leaks after each input; at exit Open MPI's plugins are gone, and nobody can tell whose a leak was.
 export ASAN_OPTIONS=detect_leaks=1
-export LSAN_OPTIONS=suppressions=$root/tests/support/lsan.supp:print_suppressions=0
+export LSAN_OPTIONS=suppressions=$root/tests/support/lsan.supp:print_suppressions=0:leak_check_at_exit=0
 total=0 status=0
 for target in "${targets[@]}"; do
   [[ -x $tree/bin/fuzz_$target ]] || fail "There is no target '$target'."

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, and passes every test. Its last line counts them.
 #   scripts/test.sh [--preset NAME] [--quick] [-DNAME=VALUE ...]
-#   --preset  another build of CMakePresets.json, in a folder of its own: address, undefined (two sanitizers)
+#   --preset  another build of CMakePresets.json, in a folder of its own: address (the sanitizers), runtime-only
 #   --quick   leaves out what takes long, and ranks other than 2: the tests with the label "thorough"
 #   -D...     is for cmake
 set -euo pipefail
@@ -15,7 +15,7 @@ while (($#)); do
   case $1 in
     --preset)
       preset=${2:-}
-      [[ $preset =~ ^(default|address|undefined|runtime-only)$ ]] || fail "--preset wants default, address, undefined or runtime-only."
+      [[ $preset =~ ^(default|address|runtime-only)$ ]] || fail "--preset wants default, address or runtime-only."
       shift ;;
     --quick) selection=(--label-exclude thorough) ;;
     -D*) definitions+=("$1") ;;

@@ -74,7 +74,8 @@ stages::Figures figures_of_basis(const stages::Figures& figures) {
 
 FinishedBasis read_finished(const format::ModelReader& in, const mesh::Mesh& mesh, const mesh::Dofs& dofs) {
   FinishedBasis basis;
-  const auto figures = format::read_report(in).figures;
+  const auto [seconds, figures, notes] = format::read_report(in);
+  basis.modes.notes = notes;
   basis.modes.modes = format::read_modes(in).value_or(model::Modes{});
   basis.modes.vectors.resize(dofs.owned, 0);
   basis.modes.strategy = value_of(format::read_provenance(in).options, "solver") == "iterative"

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -81,6 +82,7 @@ void Progress::line(const std::string& text) const {
 }
 
 void Progress::warn(const std::string& text) {
+  if (std::ranges::find(warnings_, text) != warnings_.end()) return;
   warnings_.push_back(text);
   if (!root_) return;
   if (speaks_ && terminal_) std::printf("%s", erase_line);

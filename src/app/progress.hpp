@@ -28,7 +28,7 @@ class Progress {
   /// How far the running stage is (0 ... 1).
   void update(const std::string& what, double fraction);
   void line(const std::string& text) const;  ///< to stdout
-  void warn(const std::string& text);        ///< to stderr, and into the report
+  void warn(const std::string& text);        ///< to stderr, and into the report; once
 
   const std::vector<model::StageTime>& seconds() const { return seconds_; }
   const std::vector<std::string>& warnings() const { return warnings_; }

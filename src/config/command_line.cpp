@@ -1,8 +1,8 @@
 #include "ritz/config/command_line.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <ranges>
 #include <string>
 
 #include "ritz/base/error.hpp"
@@ -58,8 +58,11 @@ CommandLine read_command_line(MPI_Comm comm, int argc, char** argv) {
     else if (has_value) line.files.emplace_back(value);
     else throw InputError("option -options_file needs a file after it");
   }
-  for (const auto& file : line.files)
-    for (const auto& option : read_file(comm, file) | std::views::reverse) line.given.add(option);
+  for (const auto& file : line.files) {
+    auto options = read_file(comm, file);
+    std::ranges::reverse(options);  // the last one wins, and what is given first stays
+    for (const auto& option : options) line.given.add(option);
+  }
   return line;
 }
 

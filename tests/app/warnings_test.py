@@ -34,6 +34,13 @@ class Warnings(InAFolder):
                     self.assertIn("too high", said)
                     self.assertIn("tet10", said)
 
+    def test_what_was_said_of_a_basis_is_said_again_where_it_is_reused(self):
+        words = ["-mesh", "box:1,.2,.1/8,2,1/hex8", "-material_young", "1e9", "-material_density", "1000", *PART,
+                 "-derivatives", "2", "-basis", "3"]
+        first = self.reduce(*words, "-output", "first.h5").stderr
+        self.assertIn("too high", first)
+        self.assertEqual(self.reduce(*words, "-reuse", "first.h5").stderr, first)
+
     def test_a_body_that_nothing_holds(self):
         free = self.reduce(*BOX, "-quiet").stderr
         self.assertIn("nothing holds the body", free)

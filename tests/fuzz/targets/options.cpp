@@ -4,7 +4,6 @@
 #include <petscsys.h>
 
 #include <algorithm>
-#include <ranges>
 
 #include "fuzz/parallel_setting.hpp"
 #include "fuzz/target.hpp"
@@ -45,10 +44,11 @@ void read_input(Bytes input) {
   const std::string text(input.begin(), input.end());
   if (text.find('\0') != text.npos) return;  // is refused where files are opened
   const EmptyDatabase around;
-  const auto options = config::RITZ_FUZZ_OPTIONS(text, "some options");
+  auto options = config::RITZ_FUZZ_OPTIONS(text, "some options");
   config::Given given;
   given.put({"mesh", "box:1,1,1/1,1,1/tet4"});
-  for (const auto& option : options | std::views::reverse) given.add(option);
+  std::ranges::reverse(options);
+  for (const auto& option : options) given.add(option);
   const bool has_scene =
       std::ranges::any_of(options, [](const auto& o) { return config::small_letters(o.name) == "scene"; });
   const auto config =
