@@ -93,7 +93,6 @@ class Search {
   void run() {
     const auto seeds = orders_.material.pool;
     for (const auto& seed : seeds) run(seed);
-    if (!orders_.seconds && orders_.inputs == 0) return;
     Random random(orders_.stream);
     while (goes_on()) {
       const auto input = mutated(orders_.material, random);

@@ -12,7 +12,7 @@ DRIVER = Path(os.environ["RITZ_BIN"]) / "fuzz_planted"
 def run(folder, *words):
     left = folder / "left"
     left.unlink(missing_ok=True)
-    done = subprocess.run([DRIVER, "--each", "1", "--left", left, *words], cwd=folder, capture_output=True, text=True)
+    done = subprocess.run([DRIVER, "--each", "3", "--left", left, *words], cwd=folder, capture_output=True, text=True)
     return done.returncode, done.stderr, left.read_bytes() if left.exists() else None
 
 

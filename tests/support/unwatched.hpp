@@ -1,11 +1,11 @@
 // Start of MPI in a program that looks for leaks.
 #pragma once
-#if defined(__has_feature)  // Clang's way to say it
+#ifdef __SANITIZE_ADDRESS__
+#define RITZ_LOOKS_FOR_LEAKS
+#elif defined(__has_feature)  // Clang's way to say it
 #if __has_feature(address_sanitizer)
 #define RITZ_LOOKS_FOR_LEAKS
 #endif
-#elif defined(__SANITIZE_ADDRESS__)
-#define RITZ_LOOKS_FOR_LEAKS
 #endif
 #ifdef RITZ_LOOKS_FOR_LEAKS
 #include <sanitizer/lsan_interface.h>
