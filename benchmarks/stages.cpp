@@ -50,20 +50,21 @@ double dsyrk_rate(int r) {
 void measure(const char* text, int points) {
   mesh::Source source;
   source.mesh = mesh::parse_box(text);
-  const auto mesh = mesh::read(MPI_COMM_WORLD, source);
-  const auto dofs = mesh::number(mesh, {}, mesh::FileSupports::ignored);
-  const std::vector<fem::StVK> materials = {{1e6, .3, 1000}};
+  auto read = mesh::read(MPI_COMM_WORLD, source);
+  auto numbered = mesh::number(read, {}, mesh::FileSupports::ignored);
+  const auto problem = stages::assemble(std::move(read), std::move(numbered), {{1e6, .3, 1000}});
+  const auto& [mesh, dofs, materials, matrices] = problem;
   for (const int r : {20, 30, 40}) {
     const petsc::Tall u = stages::fixed_vectors(mesh, dofs, r, 1);
-    const double time = seconds([&] { stages::reduce_polynomial(mesh, materials, u); });
+    const double time = seconds([&] { stages::reduce_polynomial(problem, u); });
     const double rate = 6.0 * points * static_cast<double>(mesh.cells_total) * flops_a_strain(r) / time;
     const double dsyrk = dsyrk_rate(r);
     std::printf("%-28s r = %2d  polynomial %6.2f s, %5.1f GF/s, dsyrk %5.1f GF/s: ratio %.2f\n", text, r, time,
                 rate / 1e9, dsyrk / 1e9, rate / dsyrk);
   }
-  const petsc::Tall modes = mesh::with_ghosts(mesh, stages::fixed_vectors(mesh, dofs, 20, 1));
+  const petsc::Tall modes = mesh::with_ghosts(mesh, stages::fixed_vectors(mesh, dofs, 20, 1), mesh::components);
   const auto pairs = stages::pairs_of_rows(0, 20, 20).size();
-  const double time = seconds([&] { stages::derivative_loads(mesh, dofs, materials, modes, 0, 20); });
+  const double time = seconds([&] { stages::derivative_loads(problem, modes, 0, 20); });
   std::printf("%-28s loads of %zu derivatives: %.3f us a cell and pair\n", text, pairs,
               1e6 * time / static_cast<double>(pairs) / static_cast<double>(mesh.cells_total));
 }

@@ -14,8 +14,7 @@ namespace ritz::app {
 /// How fast this machine is, and what there is to do on this rank.
 struct Workload {
   const config::Config& config;
-  const mesh::Mesh& mesh;
-  const stages::Full& full;
+  const stages::Problem& problem;
   const stages::ModesOptions& modes;
   double rate;    ///< floating point operations a second of one rank
   double memory;  ///< bytes a second that one rank reads
@@ -43,8 +42,7 @@ struct ModesEstimate {
 };
 
 /// *Collective*.
-Workload workload(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
-                  const stages::Full& full, const stages::ModesOptions& modes);
+Workload workload(const config::Config& config, const stages::Problem& problem, const stages::ModesOptions& modes);
 
 /// *Collective*.
 ModesEstimate estimate_modes(const Workload& work);

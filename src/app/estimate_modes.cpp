@@ -29,7 +29,8 @@ constexpr double base_memory = 70e6;         ///< of a rank that holds nothing, 
 
 ModesEstimate direct(const Workload& work) {
   const stages::ModesOptions& options = work.modes;
-  const petsc::FactorEstimate f = petsc::Factorization(work.mesh.comm, "solve_").analyse(work.full.stiffness);
+  const petsc::FactorEstimate f =
+      petsc::Factorization(work.problem.mesh.comm, "solve_").analyse(work.problem.matrices.stiffness);
   const double pairs = options.count + stages::spare_pairs, columns = pairs * columns_per_mode;
   const double vector = 8 * work.rows, found = 2 * pairs * vector;
   const double krylov = std::max(2 * pairs, pairs + 20 * options.block) * vector;
@@ -51,7 +52,7 @@ ModesEstimate direct(const Workload& work) {
 
 ModesEstimate iterative(const Workload& work) {
   const double width = stages::iterative_block(work.modes.count + stages::spare_pairs);
-  const double product = parallel::max(work.mesh.comm, petsc::panel_seconds(work.full.stiffness));
+  const double product = parallel::max(work.problem.mesh.comm, petsc::panel_seconds(work.problem.matrices.stiffness));
   const double step =
       width / petsc::panel_width * products_per_panel * product + flops_per_row * work.rows * width * width / work.rate;
   ModesEstimate estimate;
@@ -67,12 +68,10 @@ ModesEstimate iterative(const Workload& work) {
 
 }  // namespace
 
-Workload workload(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
-                  const stages::Full& full, const stages::ModesOptions& modes) {
-  const double ranks = parallel::size(mesh.comm), total = static_cast<double>(dofs.total);
+Workload workload(const config::Config& config, const stages::Problem& problem, const stages::ModesOptions& modes) {
+  const double ranks = parallel::size(problem.mesh.comm), total = static_cast<double>(problem.dofs.total);
   return {config,
-          mesh,
-          full,
+          problem,
           modes,
           petsc::dgemm_rate(),
           petsc::memory_rate(),

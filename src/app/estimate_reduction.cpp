@@ -59,7 +59,8 @@ Vectors vectors_of(const Workload& work) {
   Vectors v;
   v.modes = options.modes.empty() ? work.modes.count : static_cast<double>(options.modes.size());
   v.derivatives = pair_count(options.derivatives);
-  if (work.config.snapshots) v.snapshots = static_cast<double>(count_snapshots(*work.config.snapshots, work.mesh));
+  if (work.config.snapshots)
+    v.snapshots = static_cast<double>(count_snapshots(*work.config.snapshots, work.problem.mesh));
   if (work.config.accuracy) {
     v.modes = std::min(v.modes, searched_modes);
     v.derivatives = pair_count(v.modes);
@@ -138,7 +139,7 @@ std::vector<Estimate> estimate_stages(const Workload& work, const std::optional<
     stages.push_back(modes.stage);
   }
   if (!work.config.basis) return stages;
-  const Points points = points_of(work.mesh);
+  const Points points = points_of(work.problem.mesh);
   const Vectors vectors =
       earlier ? Vectors{.columns = static_cast<double>(earlier->reduced.U.cols())} : vectors_of(work);
   const bool forces = work.config.forces == config::ReducedForces::polynomial;

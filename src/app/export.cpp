@@ -32,16 +32,16 @@ std::vector<std::filesystem::path> exported_files(const config::Config& config) 
   return files;
 }
 
-std::vector<PendingFile> export_matrices(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
-                                         const stages::Full& full, const petsc::Tall& modes) {
-  const auto order = numbers_in_file_order(mesh, dofs);
+std::vector<PendingFile> export_matrices(const config::Config& config, const stages::Problem& problem,
+                                         const petsc::Tall& modes) {
+  const auto order = numbers_in_file_order(problem.mesh, problem.dofs);
   const auto format = config.exported == config::Export::matrixmarket ? petsc::MatrixFormat::matrixmarket
                                                                       : petsc::MatrixFormat::petsc_binary;
   std::vector<PendingFile> files;
-  for (const auto& path : exported_files(config)) files.emplace_back(mesh.comm, path);
-  petsc::write_matrix(files[0].part(), full.stiffness, order, format);
-  petsc::write_matrix(files[1].part(), full.mass, order, format);
-  petsc::write_columns(files[2].part(), mesh.comm, modes, order, format);
+  for (const auto& path : exported_files(config)) files.emplace_back(problem.mesh.comm, path);
+  petsc::write_matrix(files[0].part(), problem.matrices.stiffness, order, format);
+  petsc::write_matrix(files[1].part(), problem.matrices.mass, order, format);
+  petsc::write_columns(files[2].part(), problem.mesh.comm, modes, order, format);
   for (const auto& file : files) file.finish();
   return files;
 }

@@ -15,7 +15,7 @@ std::vector<std::filesystem::path> exported_files(const config::Config& config);
 
 /// Writes these. Rows are the free degrees of freedom by vertex in the file's order and component. They are not
 /// published yet. *Collective*.
-std::vector<PendingFile> export_matrices(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
-                                         const stages::Full& full, const petsc::Tall& modes);
+std::vector<PendingFile> export_matrices(const config::Config& config, const stages::Problem& problem,
+                                         const petsc::Tall& modes);
 
 }  // namespace ritz::app

@@ -93,26 +93,27 @@ void simulate(MPI_Comm comm, const config::Config& config) {
   const auto scene = read_full_scene(comm, config.full.scene);
   const auto outputs = claim_motion(comm, config, scene);
   for (const auto& text : config.warnings) progress.warn(text);
-  const auto mesh = progress.stage("mesh", [&] { return mesh::read(comm, config.source); });
+  auto mesh = progress.stage("mesh", [&] { return mesh::read(comm, config.source); });
   outputs.refuse_inputs(mesh.files);
-  const auto dofs = mesh::number(mesh, config.supports, config.file_supports);
-  const auto materials = config::region_materials(config, mesh.regions);
+  auto dofs = mesh::number(mesh, config.supports, config.file_supports);
+  auto materials = config::region_materials(config, mesh.regions);
   for (const auto& text : warnings(config, mesh, dofs, materials)) progress.warn(text);
 
-  const auto problem = checksums(mesh, dofs, materials).problem;
+  const auto checksum = checksums(mesh, dofs, materials).problem;
   if (config.full.restart)
     if (const auto unchecked = verify_last_state(comm, *config.full.restart); !unchecked.empty())
       progress.warn(unchecked);
-  const auto start = first_state(config, mesh, dofs, scene, problem);
+  const auto start = first_state(config, mesh, dofs, scene, checksum);
   refuse_beyond_room(config, scene, mesh, start.t);
   const auto times = times_from(scene, start.t);
   const auto steps = static_cast<std::int64_t>(times.size()) - 1;
   const auto frames = scene::frame_schedule({config.full.frames, config.full.every}, steps);
 
-  const auto full = progress.stage("assemble", [&] { return stages::assemble(mesh, dofs, materials); });
-  const auto load = scene_loads(scene, mesh, dofs, full);
-  auto model = stages::full_model(mesh, dofs, full, linear_solver(config, dofs));
-  FullRecorder recorder(config, scene, mesh, dofs, materials, plan(scene, times, frames), frames);
+  const auto problem = progress.stage(
+      "assemble", [&] { return stages::assemble(std::move(mesh), std::move(dofs), std::move(materials)); });
+  const auto load = scene_loads(scene, problem);
+  auto model = stages::full_model(problem, linear_solver(config, problem.dofs));
+  FullRecorder recorder(config, scene, problem, plan(scene, times, frames), frames);
   stages::DynamicState last = start;
   const Reached reached = [&](const stages::DynamicState& state, const Effort& so_far) {
     recorder.step(state, so_far);
@@ -124,9 +125,9 @@ void simulate(MPI_Comm comm, const config::Config& config) {
                ? run_dynamics(model, scene, start, steps, load, recorder, reached)
                : run_statics(model, scene, start, load, recorder, reached);
   });
-  progress.stage("write", [&] { recorder.commit(last, problem, outputs); });
-  progress.line(std::to_string(steps) + " steps of " + std::to_string(dofs.total) + " degrees of freedom: " + summary +
-                "\n" + peak_memory_line(comm) + "\nwrote " + config.output.string());
+  progress.stage("write", [&] { recorder.commit(last, checksum, outputs); });
+  progress.line(std::to_string(steps) + " steps of " + std::to_string(problem.dofs.total) + " degrees of freedom: " +
+                summary + "\n" + peak_memory_line(comm) + "\nwrote " + config.output.string());
 }
 
 }  // namespace ritz::app

@@ -21,22 +21,21 @@ std::string row(double t, const Eigen::VectorXd& values) {
 
 }  // namespace
 
-FullRecorder::FullRecorder(const config::Config& config, const scene::Scene& scene, const mesh::Mesh& mesh,
-                           const mesh::Dofs& dofs, const std::vector<fem::StVK>& materials, const FullPlan& plan,
-                           std::vector<std::int64_t> frame_states)
-    : mesh_(mesh),
-      dofs_(dofs),
-      probes_(scene, mesh),
-      file_(config.output, mesh, materials, plan),
+FullRecorder::FullRecorder(const config::Config& config, const scene::Scene& scene, const stages::Problem& problem,
+                           const FullPlan& plan, std::vector<std::int64_t> frame_states)
+    : mesh_(problem.mesh),
+      dofs_(problem.dofs),
+      probes_(scene, mesh_),
+      file_(config.output, mesh_, problem.materials, plan),
       integrator_(integrator_name(scene)),
       kind_(std::holds_alternative<scene::Time>(scene.analysis) ? StateKind::moving : StateKind::at_rest),
       probe_rows_(probes_.header() + "\n"),
       energy_rows_("t,kinetic,elastic,work,dissipated,drift\n"),
       frame_states_(std::move(frame_states)) {
   const auto table = [&](const char* name) { return files::table_beside(config.output, name); };
-  if (kind_ == StateKind::moving) energy_file_.emplace(mesh.comm, table("energy"));
-  if (!scene.probes.empty()) probe_file_.emplace(mesh.comm, table("probes"));
-  if (config.full.timing) timing_.emplace(mesh.comm, *config.full.timing);
+  if (kind_ == StateKind::moving) energy_file_.emplace(mesh_.comm, table("energy"));
+  if (!scene.probes.empty()) probe_file_.emplace(mesh_.comm, table("probes"));
+  if (config.full.timing) timing_.emplace(mesh_.comm, *config.full.timing);
 }
 
 void FullRecorder::start(const stages::DynamicState& state) {

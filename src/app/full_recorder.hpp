@@ -12,9 +12,9 @@ namespace ritz::app {
 /// Takes the states of a run one by one.
 class FullRecorder {
  public:
-  /// `frame_states` ascend, one for each of the plan's frame times. mesh and dofs must outlive it. *Collective*.
-  FullRecorder(const config::Config& config, const scene::Scene& scene, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
-               const std::vector<fem::StVK>& materials, const FullPlan& plan, std::vector<std::int64_t> frame_states);
+  /// `frame_states` ascend, one for each of the plan's frame times. The problem must outlive it. *Collective*.
+  FullRecorder(const config::Config& config, const scene::Scene& scene, const stages::Problem& problem,
+               const FullPlan& plan, std::vector<std::int64_t> frame_states);
 
   /// The state that the run begins with. *Collective*.
   void start(const stages::DynamicState& state);

@@ -50,50 +50,55 @@ void reduce(MPI_Comm comm, const config::Config& config) {
   const auto outputs = plan_alone ? claim_reports(comm, config) : claim_model(comm, config);
   for (const auto& text : config.warnings) progress.warn(text);
   const auto scene = config.accuracy ? std::optional(read_scene(comm, config.accuracy->scene)) : std::nullopt;
-  const auto mesh = progress.stage("mesh", [&] { return mesh::read(comm, config.source); });
-  if (outputs) outputs->refuse_inputs(mesh.files);
-  const auto dofs = mesh::number(mesh, config.supports, config.file_supports);
-  const auto materials = config::region_materials(config, mesh.regions);
-  progress.line(mesh_line(mesh, dofs));
-  for (const auto& text : warnings(config, mesh, dofs, materials)) progress.warn(text);
+  auto body = progress.stage("mesh", [&] { return mesh::read(comm, config.source); });
+  if (outputs) outputs->refuse_inputs(body.files);
+  auto numbering = mesh::number(body, config.supports, config.file_supports);
+  auto laws = config::region_materials(config, body.regions);
+  progress.line(mesh_line(body, numbering));
+  for (const auto& text : warnings(config, body, numbering, laws)) progress.warn(text);
 
-  refuse_an_empty_model(config, mesh, dofs);
-  const auto full = progress.stage("assemble", [&] { return stages::assemble(mesh, dofs, materials); });
+  refuse_an_empty_model(config, body, numbering);
+  const auto problem = progress.stage(
+      "assemble", [&] { return stages::assemble(std::move(body), std::move(numbering), std::move(laws)); });
+  const mesh::Mesh& mesh = problem.mesh;
+  const mesh::Dofs& dofs = problem.dofs;
   const auto options = choose_strategy(config, dofs);
-  auto earlier = reuse(config, mesh, dofs, materials, options, progress);
+  auto earlier = reuse(config, mesh, dofs, problem.materials, options, progress);
   if (config.snapshots && !earlier.basis) count_snapshots(*config.snapshots, mesh);  // before the long work
-  if (plan_alone) return print_plan(config, mesh, dofs, full, options, earlier, progress);
-  const auto path = earlier.basis ? std::nullopt : static_path(config, scene, mesh, dofs, full, progress);
+  if (plan_alone) return print_plan(config, problem, options, earlier, progress);
+  const auto path = earlier.basis ? std::nullopt : static_path(config, scene, problem, progress);
   const auto modes = earlier.basis ? earlier.basis->modes : progress.stage("modes", [&] {
-    return stages::linear_modes(mesh, dofs, full, options, earlier.modes,
+    return stages::linear_modes(problem, options, earlier.modes,
                                 [&](const std::string& what, double fraction) { progress.update(what, fraction); });
   });
   for (const auto& text : modes.notes) progress.warn(text);
   if (!earlier.basis)
-    for (const auto& text : stages::linear_cells_warning(mesh, dofs, materials, modes)) progress.warn(text);
+    for (const auto& text : stages::linear_cells_warning(problem, modes)) progress.warn(text);
 
   const auto reduced =
-      earlier.basis ? std::move(earlier.basis->reduced) : reduce_basis(config, mesh, dofs, full, modes, path, progress);
+      earlier.basis ? std::move(earlier.basis->reduced) : reduce_basis(config, problem, modes, path, progress);
   if (const auto rigid = std::ranges::count(modes.modes.kinds, model::ModeKind::rigid); config.basis && rigid > 0)
     progress.warn("the basis leaves out the body's " + counted(rigid, "rigid motion", "rigid motions") +
                   ": the model neither falls nor flies, and ritz-run refuses loads that would make it");
   const auto u = mesh::to_vertices(mesh, dofs, reduced.U);
-  const auto polynomial = reduce_forces(config, mesh, dofs, full, u, progress);
-  const auto inertia = progress.stage("inertia", [&] { return stages::inertia(mesh, full.scalar_mass, u); });
+  const auto polynomial = reduce_forces(config, problem, u, progress);
+  const auto inertia =
+      progress.stage("inertia", [&] { return stages::inertia(mesh, problem.matrices.scalar_mass, u); });
   const auto loads = progress.stage("loads", [&] { return stages::set_loads(mesh, u); });
   std::vector<PendingFile> exported;
   if (config.exported != config::Export::nothing)
-    progress.stage("export", [&] { exported = export_matrices(config, mesh, dofs, full, modes.vectors); });
+    progress.stage("export", [&] { exported = export_matrices(config, problem, modes.vectors); });
 
   progress.stage("write", [&] {
-    const auto order = file_order(mesh, materials, config.rows);
+    const auto order = file_order(mesh, problem.materials, config.rows);
     auto figures = reduced.figures;
     figures.insert(figures.end(), polynomial.witness.begin(), polynomial.witness.end());
-    write_model(config, mesh, dofs, materials, order,
+    write_model(config, mesh, dofs, problem.materials, order,
                 {modes, u, reduced.reduction, polynomial.value, inertia, loads, figures}, progress, *outputs, exported);
   });
-  const auto of_modes = stages::inertia(mesh, full.scalar_mass, mesh::to_vertices(mesh, dofs, modes.vectors));
-  progress.line(size_line(extent(mesh, materials), modes.modes) + "\n" + summary(modes.modes, of_modes) +
+  const auto of_modes =
+      stages::inertia(mesh, problem.matrices.scalar_mass, mesh::to_vertices(mesh, dofs, modes.vectors));
+  progress.line(size_line(extent(mesh, problem.materials), modes.modes) + "\n" + summary(modes.modes, of_modes) +
                 basis_lines(reduced, polynomial, inertia) + peak_memory_line(comm) + "\nwrote " +
                 config.output.string());
 }

@@ -39,9 +39,10 @@ stages::ModesOptions choose_strategy(const config::Config& config, const mesh::D
   return options;
 }
 
-void print_plan(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs, const stages::Full& full,
-                const stages::ModesOptions& options, const Earlier& earlier, const Progress& progress) {
-  const auto stages = estimate_stages(workload(config, mesh, dofs, full, options), earlier.basis);
+void print_plan(const config::Config& config, const stages::Problem& problem, const stages::ModesOptions& options,
+                const Earlier& earlier, const Progress& progress) {
+  const auto stages = estimate_stages(workload(config, problem, options), earlier.basis);
+  const MPI_Comm comm = problem.mesh.comm;
   double done = 0, coming = 0, memory = 0;
   for (const auto& stage : progress.seconds()) done += stage.seconds;
   for (const auto& stage : stages) {
@@ -51,8 +52,8 @@ void print_plan(const config::Config& config, const mesh::Mesh& mesh, const mesh
   const double rest = 0.3 * done;
   char total[160];
   std::snprintf(total, sizeof total, "  %-12s %8.1f s   %.2f GB a rank at most, %.2f GB over %s", "in all",
-                done + coming + rest, parallel::max(mesh.comm, memory) / 1e9, parallel::sum(mesh.comm, memory) / 1e9,
-                counted(parallel::size(mesh.comm), "rank", "ranks").c_str());
+                done + coming + rest, parallel::max(comm, memory) / 1e9, parallel::sum(comm, memory) / 1e9,
+                counted(parallel::size(comm), "rank", "ranks").c_str());
   progress.line("plan: what these options need (nothing has been solved)");
   for (const auto& stage : progress.seconds()) progress.line(row(stage.stage, stage.seconds, "done for this plan"));
   for (const auto& stage : stages) progress.line(row(stage.stage, stage.seconds, stage.how));

@@ -14,7 +14,7 @@ stages::ModesOptions choose_strategy(const config::Config& config, const mesh::D
 
 /// Prints the stages that the options ask for and an earlier model has not done, the estimated peak memory a rank, and
 /// the time. *Collective*.
-void print_plan(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs, const stages::Full& full,
-                const stages::ModesOptions& options, const Earlier& earlier, const Progress& progress);
+void print_plan(const config::Config& config, const stages::Problem& problem, const stages::ModesOptions& options,
+                const Earlier& earlier, const Progress& progress);
 
 }  // namespace ritz::app

@@ -7,10 +7,10 @@
 #include <optional>
 
 #include "ritz/base/shown.hpp"
-#include "ritz/fem/dispatch.hpp"
 #include "ritz/fem/geometry.hpp"
 #include "ritz/mesh/units.hpp"
 #include "ritz/parallel/comm.hpp"
+#include "ritz/stages/each_cell.hpp"
 
 namespace ritz::app {
 namespace {
@@ -114,12 +114,9 @@ Extent extent(const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials) {
   MPI_Allreduce(MPI_IN_PLACE, low.data(), 3, MPI_DOUBLE, MPI_MIN, mesh.comm);
   MPI_Allreduce(MPI_IN_PLACE, high.data(), 3, MPI_DOUBLE, MPI_MAX, mesh.comm);
   double mass = 0;
-  for (int c = 0; c < mesh.cells.owned; ++c) {
-    const auto i = static_cast<std::size_t>(c);
-    mass += materials[static_cast<std::size_t>(mesh.cells.regions[i])].density *
-            fem::visit(mesh.cells.types[i],
-                       [&]<class E>(E) { return fem::volume<E>(fem::Coordinates<E>(mesh.corners(c))); });
-  }
+  stages::each_owned_cell(mesh, materials, [&]<class E>(const stages::Cell<E>& cell) {
+    mass += cell.material.density * fem::volume<E>(cell.x);
+  });
   return {high - low, parallel::sum(mesh.comm, mass)};
 }
 

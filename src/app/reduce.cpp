@@ -23,16 +23,15 @@ std::string line(const char* format, Values... values) {
   return text;
 }
 
-stages::Figures taylor(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const stages::Full& full,
-                       const stages::ModesResult& modes, const std::vector<int>& chosen) {
+stages::Figures taylor(const stages::Problem& problem, const stages::ModesResult& modes,
+                       const std::vector<int>& chosen) {
   const petsc::Tall entering = stages::entering_modes(modes, chosen).vectors;
-  return stages::taylor_witness({mesh, dofs, full, modes, entering, static_cast<int>(entering.cols())}, full.materials);
+  return stages::taylor_witness({problem, modes, entering, static_cast<int>(entering.cols())});
 }
 
-stages::BasisResult accurate(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const stages::Full& full,
-                             const stages::ModesResult& modes, const stages::StaticPath& path, double target,
-                             const stages::ModesProgress& progress) {
-  auto [basis, chosen] = stages::accurate_basis(mesh, dofs, full, modes, path, target, progress);
+stages::BasisResult accurate(const stages::Problem& problem, const stages::ModesResult& modes,
+                             const stages::StaticPath& path, double target, const stages::ModesProgress& progress) {
+  auto [basis, chosen] = stages::accurate_basis(problem, modes, path, target, progress);
   basis.figures.insert(basis.figures.end(), {{"accuracy_target", target},
                                              {"accuracy_error", chosen.error},
                                              {"accuracy_modes", chosen.modes},
@@ -42,33 +41,32 @@ stages::BasisResult accurate(const mesh::Mesh& mesh, const mesh::Dofs& dofs, con
 
 }  // namespace
 
-ReducedBasis reduce_basis(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
-                          const stages::Full& full, const stages::ModesResult& modes,
-                          const std::optional<stages::StaticPath>& path, Progress& progress) {
+ReducedBasis reduce_basis(const config::Config& config, const stages::Problem& problem,
+                          const stages::ModesResult& modes, const std::optional<stages::StaticPath>& path,
+                          Progress& progress) {
   if (!config.basis) return {modes.vectors, {}, {}};
-  petsc::Tall snapshots(dofs.owned, 0);
-  if (config.snapshots) snapshots = read_snapshots(*config.snapshots, mesh, dofs);
+  petsc::Tall snapshots(problem.dofs.owned, 0);
+  if (config.snapshots) snapshots = read_snapshots(*config.snapshots, problem.mesh, problem.dofs);
   const auto told = [&](const std::string& what, double fraction) { progress.update(what, fraction); };
   auto basis = progress.stage("basis", [&] {
-    return path ? accurate(mesh, dofs, full, modes, *path, config.accuracy->target, told)
-                : stages::basis(mesh, dofs, full, modes, snapshots, *config.basis, told);
+    return path ? accurate(problem, modes, *path, config.accuracy->target, told)
+                : stages::basis(problem, modes, snapshots, *config.basis, told);
   });
   if (config.basis->derivatives > 0 || config.accuracy) {
-    const auto witness =
-        progress.stage("witness", [&] { return taylor(mesh, dofs, full, modes, config.basis->modes); });
+    const auto witness = progress.stage("witness", [&] { return taylor(problem, modes, config.basis->modes); });
     basis.figures.insert(basis.figures.end(), witness.begin(), witness.end());
   }
   return {std::move(basis.U), std::move(basis.reduction), std::move(basis.figures)};
 }
 
-ReducedPolynomial reduce_forces(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
-                                const stages::Full& full, const petsc::Tall& u, Progress& progress) {
+ReducedPolynomial reduce_forces(const config::Config& config, const stages::Problem& problem, const petsc::Tall& u,
+                                Progress& progress) {
   if (config.forces == config::ReducedForces::none) return {};
   if (u.cols() > stages::most_coordinates)
     throw InputError("a polynomial of " + std::to_string(u.cols()) + " coordinates is too large (at most " +
                      std::to_string(stages::most_coordinates) + "); give -basis R, such as -basis 30");
-  auto value = progress.stage("polynomial", [&] { return stages::reduce_polynomial(mesh, full.materials, u); });
-  auto witness = progress.stage("witness", [&] { return stages::polynomial_witness(mesh, dofs, full, u, value); });
+  auto value = progress.stage("polynomial", [&] { return stages::reduce_polynomial(problem, u); });
+  auto witness = progress.stage("witness", [&] { return stages::polynomial_witness(problem, u, value); });
   return {std::move(value), std::move(witness)};
 }
 

@@ -24,13 +24,13 @@ struct ReducedPolynomial {
 
 /// `path`: what a target for the error is measured on. Throws InputError for snapshots or sizes that do not fit, and
 /// NumericalError when the target is out of reach. *Collective*.
-ReducedBasis reduce_basis(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
-                          const stages::Full& full, const stages::ModesResult& modes,
-                          const std::optional<stages::StaticPath>& path, Progress& progress);
+ReducedBasis reduce_basis(const config::Config& config, const stages::Problem& problem,
+                          const stages::ModesResult& modes, const std::optional<stages::StaticPath>& path,
+                          Progress& progress);
 
 /// `u`: the basis over owned vertices. Throws NumericalError when the witness fails. *Collective*.
-ReducedPolynomial reduce_forces(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
-                                const stages::Full& full, const petsc::Tall& u, Progress& progress);
+ReducedPolynomial reduce_forces(const config::Config& config, const stages::Problem& problem, const petsc::Tall& u,
+                                Progress& progress);
 
 /// What they came to, for people; empty for a linear model.
 std::string basis_lines(const ReducedBasis& basis, const ReducedPolynomial& polynomial, const model::Inertia& inertia);

@@ -44,16 +44,17 @@ struct UnitLoad {
 
 }  // namespace
 
-stages::LoadAt scene_loads(const scene::Scene& scene, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
-                           const stages::Full& full) {
+stages::LoadAt scene_loads(const scene::Scene& scene, const stages::Problem& problem) {
+  const mesh::Mesh& mesh = problem.mesh;
   std::vector<Term> terms;
   const auto add = [&](const petsc::Tall& force, const std::optional<scene::Table>& table) {
-    terms.push_back({mesh::from_vertices(mesh, dofs, force), table});
+    terms.push_back({mesh::from_vertices(mesh, problem.dofs, force), table});
   };
   for (const auto& load : scene.loads) add(std::visit(UnitLoad{mesh, load.target}, load.kind), load.table);
-  if (scene.gravity) add(stages::body_force(mesh, full.scalar_mass, vector(*scene.gravity)), std::nullopt);
-  if (scene.shake) add(stages::body_force(mesh, full.scalar_mass, -vector(scene.shake->direction)), scene.shake->table);
-  return [terms, &scene, rows = dofs.owned](double t) {
+  if (scene.gravity) add(stages::body_force(mesh, problem.matrices.scalar_mass, vector(*scene.gravity)), std::nullopt);
+  if (scene.shake)
+    add(stages::body_force(mesh, problem.matrices.scalar_mass, -vector(scene.shake->direction)), scene.shake->table);
+  return [terms, &scene, rows = problem.dofs.owned](double t) {
     petsc::Tall force = petsc::Tall::Zero(rows, 1);
     for (const auto& term : terms) force += scene::factor(scene, term.table, t) * term.force;
     return force;

@@ -11,8 +11,7 @@ namespace ritz::app {
 /// F(t) = Σ factor(table, t) force over the scene's loads, gravity (M g) and shaking (−M a direction), N over the free
 /// degrees of freedom; dead loads on the body at rest. `scene` must outlive it. Throws InputError for a set or vertex
 /// that the mesh does not have, and for pressure or traction on a set without a surface. *Collective*.
-stages::LoadAt scene_loads(const scene::Scene& scene, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
-                           const stages::Full& full);
+stages::LoadAt scene_loads(const scene::Scene& scene, const stages::Problem& problem);
 
 /// Displacements of the scene's probes.
 class SceneProbes {

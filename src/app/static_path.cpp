@@ -33,15 +33,15 @@ petsc::Tall largest_load(const scene::Scene& scene, const stages::LoadAt& load, 
 }  // namespace
 
 std::optional<stages::StaticPath> static_path(const config::Config& config, const std::optional<scene::Scene>& scene,
-                                              const mesh::Mesh& mesh, const mesh::Dofs& dofs, const stages::Full& full,
-                                              Progress& progress) {
+                                              const stages::Problem& problem, Progress& progress) {
   if (!scene) return std::nullopt;
+  const mesh::Dofs& dofs = problem.dofs;
   return progress.stage("full statics", [&] {
-    const auto most = largest_load(*scene, scene_loads(*scene, mesh, dofs, full), mesh.comm);
-    if (petsc::column_norms(mesh.comm, most)[0] == 0)
+    const auto most = largest_load(*scene, scene_loads(*scene, problem), dofs.comm);
+    if (petsc::column_norms(dofs.comm, most)[0] == 0)
       throw InputError("option -accuracy_scene " + config.accuracy->scene.string() +
                        ": its loads do not push the body; give it a [[load]] or gravity");
-    auto model = stages::full_model(mesh, dofs, full, linear_solver(config, dofs));
+    auto model = stages::full_model(problem, linear_solver(config, dofs));
     stages::StaticPath path{petsc::Tall(dofs.owned, levels), petsc::Tall(dofs.owned, levels)};
     int level = 0;
     stages::full_statics(

@@ -13,7 +13,6 @@ namespace ritz::app {
 /// that change in time count as they are when they are largest. Throws InputError, and NumericalError where the full
 /// model has no equilibrium. *Collective*.
 std::optional<stages::StaticPath> static_path(const config::Config& config, const std::optional<scene::Scene>& scene,
-                                              const mesh::Mesh& mesh, const mesh::Dofs& dofs, const stages::Full& full,
-                                              Progress& progress);
+                                              const stages::Problem& problem, Progress& progress);
 
 }  // namespace ritz::app

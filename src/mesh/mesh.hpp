@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "ritz/mesh/file_mesh.hpp"
+#include "ritz/mesh/halo.hpp"
 
 namespace ritz::mesh {
 
@@ -21,8 +22,9 @@ struct Cells {
   std::vector<int> offsets = {0};
   std::vector<int> vertices;
   std::vector<std::int32_t> regions;
-  std::vector<Index> numbers;  ///< position among all cells of the mesh, in the file's order
-  std::vector<Index> ids;      ///< the file's own number
+  std::vector<Index> numbers;   ///< position among all cells of the mesh, in the file's order
+  std::vector<Index> ids;       ///< the file's own number
+  std::vector<int> file_order;  ///< all of them, by ascending position
 
   int count() const { return static_cast<int>(types.size()); }
   std::span<const int> of(int cell) const {
@@ -72,6 +74,7 @@ struct Mesh {
   std::vector<Index> global;          ///< global number: owned ones contiguous by rank
   Eigen::Matrix3Xd points;            ///< m
   std::vector<int> vertex_pieces;     ///< a piece that the vertex belongs to; see joints
+  Halo halo;                          ///< how ghosts get their values
 
   Cells cells;
   std::vector<CellFace> boundary;  ///< boundary faces of owned cells

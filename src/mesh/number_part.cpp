@@ -97,6 +97,9 @@ Cells make_cells(Part& part, const Lookup& local) {
   for (const auto type : cells.types) cells.offsets.push_back(cells.offsets.back() + fem::shape(type).vertices);
   cells.vertices.reserve(part.cell_vertices.size());
   for (const Index v : part.cell_vertices) cells.vertices.push_back(local(v));
+  cells.file_order.resize(cells.numbers.size());
+  std::iota(cells.file_order.begin(), cells.file_order.end(), 0);
+  std::ranges::sort(cells.file_order, {}, [&](int c) { return cells.numbers[static_cast<std::size_t>(c)]; });
   return cells;
 }
 
@@ -144,6 +147,7 @@ Mesh number_part(MPI_Comm comm, Part part, Shared shared) {
   mesh.global.resize(n);
   std::iota(mesh.global.begin(), mesh.global.begin() + mesh.owned, mesh.first);
   number_ghosts(mesh, owners);
+  mesh.halo = Halo(mesh);
 
   const Lookup local(mesh);
   mesh.cells = make_cells(part, local);

@@ -83,26 +83,23 @@ double static_error(const model::Polynomial& polynomial, const ReducedPath& path
 }
 
 /// What the search needs at every K'.
-struct Problem {
-  const mesh::Mesh& mesh;
-  const mesh::Dofs& dofs;
-  const Full& full;
+struct Question {
+  const Problem& problem;
   const ModesResult& modes;
   const StaticPath& path;
   double target;
 };
 
 /// The smallest basis of at most `limit` columns cut from the set; or the best there is, which misses the target.
-SizedError smallest(const Problem& in, const Principal& set, int count, int limit) {
-  const petsc::Tall U =
-      canonical_directions(in.mesh, in.dofs, in.full.mass, set).leftCols(std::min<Index>(limit, set.sigma.size()));
-  const auto path = seen_from(U, in.full.mass, in.mesh.comm, in.path);
+SizedError smallest(const Question& in, const Principal& set, int count, int limit) {
+  const petsc::Tall U = canonical_directions(in.problem, set).leftCols(std::min<Index>(limit, set.sigma.size()));
+  const auto path = seen_from(U, in.problem.matrices.mass, in.problem.mesh.comm, in.path);
   SizedError best{count, 0, nothing_found};
   Index r = fewest(path, in.target);
   for (Index all = r + 4; r <= U.cols(); all *= 2) {
     const Index width = std::min(all, U.cols());
     const auto polynomial =
-        reduce_polynomial(in.mesh, in.full.materials, mesh::to_vertices(in.mesh, in.dofs, U.leftCols(width)));
+        reduce_polynomial(in.problem, mesh::to_vertices(in.problem.mesh, in.problem.dofs, U.leftCols(width)));
     for (; r <= width; ++r) {
       const double error = static_error(leading(polynomial, r), path);
       if (error < best.error) best = {count, static_cast<int>(r), error};
@@ -112,7 +109,7 @@ SizedError smallest(const Problem& in, const Principal& set, int count, int limi
   return best;
 }
 
-[[noreturn]] void give_up(const Problem& in, const SizedError& best, int modes) {
+[[noreturn]] void give_up(const Question& in, const SizedError& best, int modes) {
   char text[300], reached[120] = "none of them can represent the path to that";
   if (best.error < nothing_found)
     std::snprintf(reached, sizeof reached, "the best, %d columns of %d modes and their derivatives, reached %.2e",
@@ -126,11 +123,11 @@ SizedError smallest(const Problem& in, const Principal& set, int count, int limi
 
 }  // namespace
 
-AccurateBasis accurate_basis(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full& full, const ModesResult& modes,
-                             const StaticPath& path, double target, const ModesProgress& progress) {
-  const Problem in{mesh, dofs, full, modes, path, target};
+AccurateBasis accurate_basis(const Problem& problem, const ModesResult& modes, const StaticPath& path, double target,
+                             const ModesProgress& progress) {
+  const Question in{problem, modes, path, target};
   const EnteringModes entering{modes.modes.eigenvalues.tail(flexible_modes(modes).cols()), flexible_modes(modes)};
-  const ScaledSource source{mesh, dofs, full, modes, entering};
+  const ScaledSource source{problem, modes, entering};
   const Cut cut{.size = most_columns};
   const int all = static_cast<int>(entering.values.size());
   ScaledSet set, taken;
@@ -149,7 +146,7 @@ AccurateBasis accurate_basis(const mesh::Mesh& mesh, const mesh::Dofs& dofs, con
     waited = 0;
   }
   if (best.columns == 0) give_up(in, closest, all);
-  return {cut_basis(mesh, dofs, full, modes, taken, best.columns), best};
+  return {cut_basis(problem, modes, taken, best.columns), best};
 }
 
 }  // namespace ritz::stages

@@ -30,7 +30,7 @@ struct AccurateBasis {
 ///
 /// Throws NumericalError, naming the best that was found, when no basis of the modes given is accurate enough.
 /// *Collective*.
-AccurateBasis accurate_basis(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full& full, const ModesResult& modes,
-                             const StaticPath& path, double target, const ModesProgress& progress);
+AccurateBasis accurate_basis(const Problem& problem, const ModesResult& modes, const StaticPath& path, double target,
+                             const ModesProgress& progress);
 
 }  // namespace ritz::stages

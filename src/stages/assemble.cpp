@@ -4,10 +4,10 @@
 
 #include "ritz/base/error.hpp"
 #include "ritz/base/shown.hpp"
-#include "ritz/fem/dispatch.hpp"
 #include "ritz/fem/mass.hpp"
 #include "ritz/fem/stiffness.hpp"
 #include "ritz/stages/block_rows.hpp"
+#include "ritz/stages/each_cell.hpp"
 #include "ritz/stages/rayleigh_ritz.hpp"
 
 namespace ritz::stages {
@@ -26,30 +26,19 @@ void end_row(petsc::Rows& rows) {
 }
 
 template <class E>
-void add_cell(Sums& sums, const mesh::Mesh& mesh, const mesh::Dofs& dofs, int cell, const fem::StVK& material) {
-  const auto vertices = mesh.cells.of(cell);
-  fem::Coordinates<E> x;
-  for (int a = 0; a < E::vertices; ++a) x.col(a) = mesh.points.col(vertices[static_cast<std::size_t>(a)]);
-  const auto K = fem::stiffness<E>(x, material);
-  const auto M = fem::mass<E>(x, material.density);
+void add_cell(Sums& sums, const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Cell<E>& cell) {
+  const auto K = fem::stiffness<E>(cell.x, cell.material);
+  const auto M = fem::mass<E>(cell.x, cell.material.density);
   for (int a = 0; a < E::vertices; ++a) {
-    const int row = vertices[static_cast<std::size_t>(a)];
+    const int row = cell.vertex(a);
     if (row >= mesh.owned) continue;
     for (int b = 0; b < E::vertices; ++b) {
-      const int column = vertices[static_cast<std::size_t>(b)];
+      const int column = cell.vertex(b);
       const auto place = sums.stiffness.pattern.graph.place(mesh.global, row, column);
       add_block(sums.stiffness.rows, sums.stiffness.pattern, mesh, dofs, place, row, column,
                 K.template block<3, 3>(3 * a, 3 * b));
       sums.mass[place] += M(a, b);
     }
-  }
-}
-
-void add_cells(Sums& sums, const mesh::Mesh& mesh, const mesh::Dofs& dofs, const std::vector<fem::StVK>& materials) {
-  for (const int c : file_order(mesh.cells)) {
-    const auto i = static_cast<std::size_t>(c);
-    const auto& material = materials[static_cast<std::size_t>(mesh.cells.regions[i])];
-    fem::visit(mesh.cells.types[i], [&]<class E>(E) { add_cell<E>(sums, mesh, dofs, c, material); });
   }
 }
 
@@ -91,9 +80,9 @@ petsc::Rows scalar_mass_rows(const mesh::Mesh& mesh, const Sums& sums) {
 }
 
 /// Squares and quotients of numbers beyond these leave double precision, and what is made of them has no digits.
-void refuse_extremes(const Full& full) {
+void refuse_extremes(const Matrices& matrices) {
   constexpr double least = 1e-120, most = 1e120;
-  const double stiffness = one_norm(full.stiffness), mass = one_norm(full.scalar_mass);
+  const double stiffness = one_norm(matrices.stiffness), mass = one_norm(matrices.scalar_mass);
   for (const double value : {stiffness, mass, stiffness / mass})
     if (!(value >= least && value <= most))
       throw NumericalError(
@@ -104,19 +93,18 @@ void refuse_extremes(const Full& full) {
 
 }  // namespace
 
-Full assemble(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const std::vector<fem::StVK>& materials) {
+Problem assemble(mesh::Mesh mesh, mesh::Dofs dofs, std::vector<fem::StVK> materials) {
   Sums sums{empty_rows(mesh, dofs), {}};
   sums.mass.assign(sums.stiffness.pattern.graph.columns.size(), 0);
-  add_cells(sums, mesh, dofs, materials);
-  Full full;
-  full.materials = materials;
+  each_cell(mesh, materials, [&]<class E>(const Cell<E>& cell) { add_cell(sums, mesh, dofs, cell); });
   const auto positive = petsc::Definite::positive;
-  full.stiffness =
+  Matrices matrices;
+  matrices.stiffness =
       petsc::symmetric_matrix(mesh.comm, std::move(sums.stiffness.rows), dofs.block, petsc::Definite::semi);
-  full.mass = petsc::symmetric_matrix(mesh.comm, mass_rows(mesh, dofs, sums), dofs.block, positive);
-  full.scalar_mass = petsc::symmetric_matrix(mesh.comm, scalar_mass_rows(mesh, sums), 1, positive);
-  refuse_extremes(full);
-  return full;
+  matrices.mass = petsc::symmetric_matrix(mesh.comm, mass_rows(mesh, dofs, sums), dofs.block, positive);
+  matrices.scalar_mass = petsc::symmetric_matrix(mesh.comm, scalar_mass_rows(mesh, sums), 1, positive);
+  refuse_extremes(matrices);
+  return {std::move(mesh), std::move(dofs), std::move(materials), std::move(matrices)};
 }
 
 }  // namespace ritz::stages

@@ -36,16 +36,16 @@ EnteringModes entering_modes(const ModesResult& modes, const std::vector<int>& c
 
 namespace {
 
-void add_snapshots(const Full& full, const petsc::ConstTallRef& snapshots, const Cut& cut, Principal& set) {
+void add_snapshots(Mat M, const petsc::ConstTallRef& snapshots, const Cut& cut, Principal& set) {
   if (snapshots.cols() == 0) return;
   double scale = 1;
   if (set.sigma.size() > 0) {
-    const MPI_Comm comm = petsc::comm_of(full.mass);
-    const Eigen::MatrixXd squares = petsc::inner(comm, snapshots, petsc::multiply(full.mass, snapshots));
+    const MPI_Comm comm = petsc::comm_of(M);
+    const Eigen::MatrixXd squares = petsc::inner(comm, snapshots, petsc::multiply(M, snapshots));
     const double largest = std::sqrt(squares.diagonal().maxCoeff());
     scale = largest > 0 ? 1 / largest : 0;
   }
-  add(full.mass, set, snapshots * scale, cut);
+  add(M, set, snapshots * scale, cut);
 }
 
 void require_enough(const Principal& set, const Cut& cut) {
@@ -58,15 +58,15 @@ void require_enough(const Principal& set, const Cut& cut) {
 }
 
 /// Turns the directions so that UᵀKU is diagonal, and fixes their signs.
-void finish(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full& full, const petsc::Tall& R,
-            const petsc::ConstTallRef& directions, BasisResult& result) {
-  RitzPairs pairs = rayleigh_ritz(full.stiffness, full.mass, R, directions);
+void finish(const Problem& problem, const petsc::Tall& R, const petsc::ConstTallRef& directions, BasisResult& result) {
+  const auto& [mesh, dofs, materials, matrices] = problem;
+  RitzPairs pairs = rayleigh_ritz(matrices.stiffness, matrices.mass, R, directions);
   if (pairs.vectors.cols() < directions.cols())
     throw NumericalError("the basis lost " + std::to_string(directions.cols() - pairs.vectors.cols()) +
                          " of its directions to rounding; lower -basis");
   const auto W = fixed_vectors(mesh, dofs, largest_group(pairs.values), sign_stream);
-  make_canonical(full.mass, pairs.values, W, pairs.vectors);
-  const Eigen::MatrixXd gram = petsc::inner(mesh.comm, pairs.vectors, petsc::multiply(full.mass, pairs.vectors));
+  make_canonical(matrices.mass, pairs.values, W, pairs.vectors);
+  const Eigen::MatrixXd gram = petsc::inner(mesh.comm, pairs.vectors, petsc::multiply(matrices.mass, pairs.vectors));
   const double error = (gram - Eigen::MatrixXd::Identity(gram.rows(), gram.cols())).cwiseAbs().maxCoeff();
   if (!(error <= orthonormality_gate))
     throw NumericalError("the basis is not orthonormal: max |UᵀMU - I| is " + shown(error, 3));
@@ -77,29 +77,29 @@ void finish(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full& full, co
 
 }  // namespace
 
-BasisResult basis(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full& full, const ModesResult& modes,
-                  const petsc::ConstTallRef& snapshots, const BasisOptions& options, const ModesProgress& progress) {
+BasisResult basis(const Problem& problem, const ModesResult& modes, const petsc::ConstTallRef& snapshots,
+                  const BasisOptions& options, const ModesProgress& progress) {
   const EnteringModes in = entering_modes(modes, options.modes);
   if (options.derivatives > in.values.size())
     throw InputError("option -derivatives " + std::to_string(options.derivatives) + ": only " +
                      std::to_string(in.values.size()) + " flexible modes enter the basis; lower -derivatives");
-  const ScaledSource source{mesh, dofs, full, modes, in};
+  const ScaledSource source{problem, modes, in};
   ScaledSet set;
   add_modes(source, static_cast<int>(in.values.size()), options.cut, set);
   add_derivatives(source, whole_cluster(in.values, options.derivatives), options.block, options.cut, progress, set);
-  add_snapshots(full, snapshots, options.cut, set.principal);
+  add_snapshots(problem.matrices.mass, snapshots, options.cut, set.principal);
   require_enough(set.principal, options.cut);
-  return cut_basis(mesh, dofs, full, modes, set, kept(set.principal, options.cut));
+  return cut_basis(problem, modes, set, kept(set.principal, options.cut));
 }
 
-petsc::Tall canonical_directions(const mesh::Mesh& mesh, const mesh::Dofs& dofs, Mat M, const Principal& set) {
+petsc::Tall canonical_directions(const Problem& problem, const Principal& set) {
   petsc::Tall Q = set.Q;
-  make_canonical(M, set.sigma, fixed_vectors(mesh, dofs, largest_group(set.sigma), direction_stream), Q);
+  make_canonical(problem.matrices.mass, set.sigma,
+                 fixed_vectors(problem.mesh, problem.dofs, largest_group(set.sigma), direction_stream), Q);
   return Q;
 }
 
-BasisResult cut_basis(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full& full, const ModesResult& modes,
-                      const ScaledSet& set, int columns) {
+BasisResult cut_basis(const Problem& problem, const ModesResult& modes, const ScaledSet& set, int columns) {
   const auto& sigma = set.principal.sigma;
   BasisResult result;
   if (const auto& counts = set.counts; counts.pairs > 0)
@@ -110,8 +110,8 @@ BasisResult cut_basis(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full
                       {"derivative_residual", counts.residual}};
   result.reduction.singular_values = sigma;
   result.reduction.discarded = std::sqrt(set.principal.discarded + sigma.tail(sigma.size() - columns).squaredNorm());
-  const petsc::Tall Q = canonical_directions(mesh, dofs, full.mass, set.principal);
-  finish(mesh, dofs, full, rigid_modes(modes), Q.leftCols(columns), result);
+  const petsc::Tall Q = canonical_directions(problem, set.principal);
+  finish(problem, rigid_modes(modes), Q.leftCols(columns), result);
   return result;
 }
 

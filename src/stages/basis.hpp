@@ -33,15 +33,14 @@ EnteringModes entering_modes(const ModesResult& modes, const std::vector<int>& c
 /// Derivatives are streamed: a block enters the decomposition and is dropped; `reduction.discarded` bounds all that U
 /// leaves out, what was never solved included. Throws InputError when the set has fewer independent directions than the
 /// cut asks for, NumericalError when a solve fails. *Collective*.
-BasisResult basis(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full& full, const ModesResult& modes,
-                  const petsc::ConstTallRef& snapshots, const BasisOptions& options, const ModesProgress& progress);
+BasisResult basis(const Problem& problem, const ModesResult& modes, const petsc::ConstTallRef& snapshots,
+                  const BasisOptions& options, const ModesProgress& progress);
 
 /// The set's directions, those of equal σ turned as make_canonical does: a cut between them takes the same on any
 /// number of ranks. *Collective*.
-petsc::Tall canonical_directions(const mesh::Mesh& mesh, const mesh::Dofs& dofs, Mat M, const Principal& set);
+petsc::Tall canonical_directions(const Problem& problem, const Principal& set);
 
 /// The basis of the first `columns` of them, finished as above. *Collective*.
-BasisResult cut_basis(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full& full, const ModesResult& modes,
-                      const ScaledSet& set, int columns);
+BasisResult cut_basis(const Problem& problem, const ModesResult& modes, const ScaledSet& set, int columns);
 
 }  // namespace ritz::stages

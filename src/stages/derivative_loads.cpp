@@ -1,8 +1,7 @@
 #include "ritz/stages/derivative_loads.hpp"
 
-#include "ritz/fem/dispatch.hpp"
 #include "ritz/fem/strain.hpp"
-#include "ritz/stages/vertex_graph.hpp"
+#include "ritz/stages/each_cell.hpp"
 
 namespace ritz::stages {
 namespace {
@@ -113,15 +112,13 @@ void gradients_of(const fem::Matrix<E::vertices, 3>& shape, const Modal& u, doub
 
 /// The sums of one cell for all rows: 3 rows a vertex.
 template <class E>
-void cell_sums(const mesh::Mesh& mesh, int cell, const fem::StVK& material, const petsc::ConstTallRef& local,
-               const Rows& rows, Modal& u, Point& point, Modal& sums) {
-  const auto vertices = mesh.cells.of(cell);
-  for (int a = 0; a < E::vertices; ++a)
-    u.block(3 * a, 0, 3, rows.modes) = local.middleRows<3>(3 * vertices[static_cast<std::size_t>(a)]);
+void cell_sums(const Cell<E>& cell, const petsc::ConstTallRef& local, const Rows& rows, Modal& u, Point& point,
+               Modal& sums) {
+  for (int a = 0; a < E::vertices; ++a) u.block(3 * a, 0, 3, rows.modes) = local.middleRows<3>(3 * cell.vertex(a));
   // Differences from the first vertex: a cell that moves far as a whole is not strained.
   for (int a = E::vertices - 1; a >= 0; --a) u.middleRows<3>(3 * a) -= u.topRows<3>();
-  const fem::Coordinates<E> x = fem::relative<E>(fem::Coordinates<E>(mesh.corners(cell)));
-  const double lambda = material.lambda(), mu = material.mu();
+  const fem::Coordinates<E> x = fem::relative<E>(cell.x);
+  const double lambda = cell.material.lambda(), mu = cell.material.mu();
   sums.topRows(3 * E::vertices).setZero();
   for (const auto& sample : E::rule) {
     const auto [shape, weight] = fem::physical_gradients<E>(x, sample);
@@ -161,23 +158,19 @@ std::vector<Pair> pairs_of_rows(int first, int last, int modes) {
   return pairs;
 }
 
-petsc::Tall derivative_loads(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const std::vector<fem::StVK>& materials,
-                             const petsc::ConstTallRef& local, int first, int last) {
+petsc::Tall derivative_loads(const Problem& problem, const petsc::ConstTallRef& local, int first, int last) {
+  const mesh::Mesh& mesh = problem.mesh;
   const Rows rows(first, last, static_cast<int>(local.cols()));
   const int width = padded(rows.modes);
   Modal sums = Modal::Zero(3 * mesh.owned, rows.columns);
-  Modal u = Modal::Zero(3 * fem::max_cell_vertices, width), cell(3 * fem::max_cell_vertices, rows.columns);
+  Modal u = Modal::Zero(3 * fem::max_cell_vertices, width), of_cell(3 * fem::max_cell_vertices, rows.columns);
   Point point{Modal(9, width), Modal(6, width)};
-  for (const int c : file_order(mesh.cells)) {
-    const auto n = static_cast<std::size_t>(c);
-    const auto& material = materials[static_cast<std::size_t>(mesh.cells.regions[n])];
-    fem::visit(mesh.cells.types[n], [&]<class E>(E) { cell_sums<E>(mesh, c, material, local, rows, u, point, cell); });
-    const auto vertices = mesh.cells.of(c);
-    for (std::size_t a = 0; a < vertices.size(); ++a)
-      if (vertices[a] < mesh.owned)
-        sums.middleRows<3>(3 * vertices[a]) += cell.middleRows<3>(3 * static_cast<Eigen::Index>(a));
-  }
-  return columns_of_pairs(mesh, dofs, rows, sums);
+  each_cell(mesh, problem.materials, [&]<class E>(const Cell<E>& cell) {
+    cell_sums(cell, local, rows, u, point, of_cell);
+    for (int a = 0; a < E::vertices; ++a)
+      if (const int v = cell.vertex(a); v < mesh.owned) sums.middleRows<3>(3 * v) += of_cell.middleRows<3>(3 * a);
+  });
+  return columns_of_pairs(mesh, problem.dofs, rows, sums);
 }
 
 }  // namespace ritz::stages

@@ -2,10 +2,8 @@
 #pragma once
 #include <vector>
 
-#include "ritz/fem/material.hpp"
-#include "ritz/mesh/dofs.hpp"
-#include "ritz/mesh/mesh.hpp"
 #include "ritz/petsc/multivector.hpp"
+#include "ritz/stages/assemble.hpp"
 
 namespace ritz::stages {
 
@@ -23,7 +21,6 @@ std::vector<Pair> pairs_of_rows(int first, int last, int modes);
 ///
 /// `local`: the modes over all local vertices (mesh::with_ghosts), 3 rows a vertex. Each rank computes complete rows of
 /// its own vertices: nothing is communicated.
-petsc::Tall derivative_loads(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const std::vector<fem::StVK>& materials,
-                             const petsc::ConstTallRef& local, int first, int last);
+petsc::Tall derivative_loads(const Problem& problem, const petsc::ConstTallRef& local, int first, int last);
 
 }  // namespace ritz::stages

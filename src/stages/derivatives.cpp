@@ -4,12 +4,11 @@
 #include <cmath>
 #include <span>
 
-#include "ritz/fem/dispatch.hpp"
 #include "ritz/fem/mass.hpp"
-#include "ritz/mesh/halo.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/petsc/check.hpp"
 #include "ritz/petsc/symmetric_eigen.hpp"
+#include "ritz/stages/each_cell.hpp"
 #include "ritz/stages/rayleigh_ritz.hpp"
 
 namespace ritz::stages {
@@ -25,30 +24,27 @@ double smallest_ratio(const fem::Coordinates<E>& x) {
 }
 
 /// m: M ≥ m D. A straight linear tetrahedron has ½ whatever its shape.
-double mass_ratio(const mesh::Mesh& mesh) {
+double mass_ratio(const Problem& problem) {
   double least = 0.5;
-  for (int cell = 0; cell < mesh.cells.owned; ++cell) {
-    const auto type = mesh.cells.types[static_cast<std::size_t>(cell)];
-    if (type == fem::CellType::tet4) continue;
-    least = std::min(least, fem::visit(type, [&]<class E>(E) {
-                       return smallest_ratio<E>(fem::Coordinates<E>(mesh.corners(cell)));
-                     }));
-  }
-  return parallel::min(mesh.comm, least);
+  each_owned_cell(problem.mesh, problem.materials, [&]<class E>(const Cell<E>& cell) {
+    if constexpr (E::type != fem::CellType::tet4) least = std::min(least, smallest_ratio<E>(cell.x));
+  });
+  return parallel::min(problem.mesh.comm, least);
 }
 
 /// Upper bounds of ‖b_j‖_{M⁻¹}.
 class InverseMassNorm {
  public:
-  InverseMassNorm(const mesh::Mesh& mesh, Mat M) : comm_(mesh.comm) {
+  explicit InverseMassNorm(const Problem& problem) : comm_(problem.mesh.comm) {
     petsc::Vector diagonal;
     const PetscScalar* values = nullptr;
     PetscInt rows = 0;
+    const Mat M = problem.matrices.mass;
     petsc::check(MatGetLocalSize(M, &rows, nullptr));
     petsc::check(MatCreateVecs(M, nullptr, diagonal.out()));
     petsc::check(MatGetDiagonal(M, diagonal));
     petsc::check(VecGetArrayRead(diagonal, &values));
-    inverse_root_ = (Eigen::Map<const Eigen::ArrayXd>(values, rows) * mass_ratio(mesh)).sqrt().inverse().matrix();
+    inverse_root_ = (Eigen::Map<const Eigen::ArrayXd>(values, rows) * mass_ratio(problem)).sqrt().inverse().matrix();
     petsc::check(VecRestoreArrayRead(diagonal, &values));
   }
 
@@ -64,11 +60,11 @@ class InverseMassNorm {
 /// Upper bounds of ‖K⁻¹b_j‖_M, b without resultants.
 class InverseBound {
  public:
-  InverseBound(const mesh::Mesh& mesh, Mat M, const ModesResult& modes)
-      : comm_(mesh.comm),
-        norm_(mesh, M),
+  InverseBound(const Problem& problem, const ModesResult& modes)
+      : comm_(problem.mesh.comm),
+        norm_(problem),
         known_(flexible_modes(modes)),
-        massive_(petsc::multiply(M, known_)),
+        massive_(petsc::multiply(problem.matrices.mass, known_)),
         eigenvalues_(modes.modes.eigenvalues.tail(known_.cols())),
         least_of_rest_(modes.modes.certificate.kind == model::Certified::no ? eigenvalues_[0]
                                                                             : eigenvalues_.tail(1)[0]) {}
@@ -128,25 +124,27 @@ std::vector<std::span<const Index>> parts(const std::vector<Index>& chosen, std:
 DerivativeCounts derivatives(const DerivativesSource& source, int columns, const std::function<double(Pair)>& weight,
                              const std::function<double()>& allowed,
                              const std::function<void(const DerivativeBlock&)>& take) {
-  const auto& [mesh, dofs, full, found, flexible, rows] = source;
+  const auto& [problem, found, flexible, rows] = source;
+  const auto& [mesh, dofs, materials, matrices] = problem;
   const petsc::Tall rigid = rigid_modes(found);
-  const petsc::Tall local = mesh::with_ghosts(mesh, mesh::to_vertices(mesh, dofs, flexible));
-  const InverseBound bound(mesh, full.mass, found);
-  const double norm_K = one_norm(full.stiffness);
-  const petsc::Tall massive = petsc::multiply(full.mass, rigid);
+  const petsc::Tall local = mesh::with_ghosts(mesh, mesh::to_vertices(mesh, dofs, flexible), mesh::components);
+  const InverseBound bound(problem, found);
+  const double norm_K = one_norm(matrices.stiffness);
+  const petsc::Tall massive = petsc::multiply(matrices.mass, rigid);
   const int modes = static_cast<int>(flexible.cols());
   DerivativeCounts counts;
   for (int first = 0, last = 0; first < rows; first = last) {
     last = last_row(first, rows, modes, columns);
     const auto pairs = pairs_of_rows(first, last, modes);
-    petsc::Tall loads = derivative_loads(mesh, dofs, full.materials, local, first, last);
+    petsc::Tall loads = derivative_loads(problem, local, first, last);
     // Without their resultants, so that the bounds are of what is solved.
     if (rigid.cols() > 0) petsc::subtract(loads, massive, petsc::inner(mesh.comm, rigid, loads));
     Eigen::ArrayXd bounds = bound(loads);
     for (std::size_t p = 0; p < pairs.size(); ++p) bounds[static_cast<Index>(p)] *= weight(pairs[p]);
     const auto chosen = worth_solving(pairs, bounds, allowed(), counts);
     for (const auto part : parts(chosen, static_cast<std::size_t>(columns))) {
-      auto solved = solve(full, found.inverse, rigid, norm_K, loads(Eigen::all, std::vector(part.begin(), part.end())));
+      auto solved =
+          solve(matrices, found.inverse, rigid, norm_K, loads(Eigen::all, std::vector(part.begin(), part.end())));
       counts.iterations = std::max(counts.iterations, solved.iterations);
       counts.residual = std::max(counts.residual, solved.residual);
       DerivativeBlock block{{}, std::move(solved.x)};

@@ -23,9 +23,7 @@ struct DerivativeCounts {
 };
 
 struct DerivativesSource {
-  const mesh::Mesh& mesh;
-  const mesh::Dofs& dofs;
-  const Full& full;
+  const Problem& problem;
   const ModesResult& modes;     ///< all that were found, and what they were found with
   const petsc::Tall& flexible;  ///< those of them whose derivatives are wanted, ψ_1 ... ψ_K'
   int rows;                     ///< only pairs (i, j) with i among the first so many of these

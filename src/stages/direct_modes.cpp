@@ -24,9 +24,9 @@ petsc::Tall joined(const petsc::Tall& a, const petsc::Tall& b) {
 RitzPairs polish(const EigenProblem& problem, petsc::Tall x, const petsc::Factorization& solver) {
   RitzPairs pairs;
   for (int step = 0; step < polishing_steps; ++step) {
-    solver.solve(petsc::multiply(problem.full.mass, x), x);
-    pairs = rayleigh_ritz(problem.full.stiffness, problem.full.mass, problem.rigid, std::move(x));
-    const Residuals r = residuals(problem.full.stiffness, problem.full.mass, problem.norm_K, pairs);
+    solver.solve(petsc::multiply(problem.body.matrices.mass, x), x);
+    pairs = rayleigh_ritz(problem.body.matrices.stiffness, problem.body.matrices.mass, problem.rigid, std::move(x));
+    const Residuals r = residuals(problem.body.matrices.stiffness, problem.body.matrices.mass, problem.norm_K, pairs);
     if ((r.relative.array() <= 0.1 * r.gate.array()).all()) break;
     x = pairs.vectors;
   }
@@ -37,22 +37,22 @@ RitzPairs polish(const EigenProblem& problem, petsc::Tall x, const petsc::Factor
 
 double safe_shift(const EigenProblem& problem) {
   if (problem.rigid.cols() == 0) return 0;
-  return -0.1 * elastic_scale(problem.mesh, problem.dofs, problem.full, problem.rigid);
+  return -0.1 * elastic_scale(problem.body, problem.rigid);
 }
 
 Found find_direct(const EigenProblem& problem, int wanted, const petsc::Tall& known, const ModesOptions& options,
                   petsc::Factorization& solver, const ModesProgress& progress) {
   const double sigma = safe_shift(problem);
   progress("factorization", 0);
-  solver.factor(problem.full.stiffness, problem.full.mass, sigma);
+  solver.factor(problem.body.matrices.stiffness, problem.body.matrices.mass, sigma);
 
   LanczosOptions lanczos;
   lanczos.wanted = std::max(1, wanted - static_cast<int>(known.cols()));
   lanczos.block = options.block;
   lanczos.tolerance = options.tolerance;
-  const auto start = fixed_vectors(problem.mesh, problem.dofs, 3 * options.block, start_stream);
+  const auto start = fixed_vectors(problem.body.mesh, problem.body.dofs, 3 * options.block, start_stream);
   const auto op = [&](const petsc::ConstTallRef& mx, petsc::TallRef y) { solver.solve(mx, y); };
-  const auto found = block_lanczos(problem.full.mass, op, joined(problem.rigid, known), start, lanczos,
+  const auto found = block_lanczos(problem.body.matrices.mass, op, joined(problem.rigid, known), start, lanczos,
                                    [&](int done, int all) { progress("modes", double(done) / all); });
   if (!found.converged)
     throw NumericalError("the eigensolver (block Lanczos, tolerance " + shown(options.tolerance) +

@@ -7,9 +7,7 @@ namespace ritz::stages {
 
 /// What a strategy works on.
 struct EigenProblem {
-  const mesh::Mesh& mesh;
-  const mesh::Dofs& dofs;
-  const Full& full;
+  const Problem& body;
   const petsc::Tall& rigid;  ///< M-orthonormal rigid modes
   double norm_K;             ///< ‖K‖₁
 };

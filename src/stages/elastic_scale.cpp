@@ -39,11 +39,11 @@ petsc::Tall cubic_fields(const mesh::Mesh& mesh) {
 
 }  // namespace
 
-double elastic_scale(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full& full,
-                     const petsc::ConstTallRef& rigid) {
+double elastic_scale(const Problem& problem, const petsc::ConstTallRef& rigid) {
+  const auto& [mesh, dofs, materials, matrices] = problem;
   const auto pairs =
-      rayleigh_ritz(full.stiffness, full.mass, rigid, mesh::from_vertices(mesh, dofs, cubic_fields(mesh)));
-  if (pairs.values.size() == 0) return one_norm(full.stiffness) / one_norm(full.mass);
+      rayleigh_ritz(matrices.stiffness, matrices.mass, rigid, mesh::from_vertices(mesh, dofs, cubic_fields(mesh)));
+  if (pairs.values.size() == 0) return one_norm(matrices.stiffness) / one_norm(matrices.mass);
   return pairs.values[0];
 }
 

@@ -40,8 +40,8 @@ Rule rule(FullIntegrator integrator, const DynamicState& s, double dt, const pet
 
 petsc::Tall damp(const FullModel& model, const DynamicOptions& options, const petsc::Tall& v) {
   petsc::Tall force = petsc::Tall::Zero(v.rows(), 1);
-  if (options.alpha != 0) force += options.alpha * petsc::multiply(model.full.mass, v);
-  if (options.beta != 0) force += options.beta * petsc::multiply(model.full.stiffness, v);
+  if (options.alpha != 0) force += options.alpha * petsc::multiply(model.problem.matrices.mass, v);
+  if (options.beta != 0) force += options.beta * petsc::multiply(model.problem.matrices.stiffness, v);
   return force;
 }
 
@@ -71,19 +71,21 @@ class StepEquations {
   }
 
  private:
-  petsc::Tall inertia(const petsc::Tall& d) const { return petsc::multiply(model_.full.mass, rule_.a * d + rule_.a0); }
+  petsc::Tall inertia(const petsc::Tall& d) const {
+    return petsc::multiply(model_.problem.matrices.mass, rule_.a * d + rule_.a0);
+  }
   petsc::Tall damping(const petsc::Tall& d) const { return damp(model_, options_, rule_.v * d + rule_.v0); }
 
   /// u₀ + s_k d over vertices, a column each.
   petsc::Tall stations(const petsc::Tall& d) const {
     petsc::Tall u(d.rows(), rule_.points.size());
     for (Eigen::Index k = 0; k < u.cols(); ++k) u.col(k) = u0_.col(0) + rule_.points[k] * d.col(0);
-    return mesh::to_vertices(model_.mesh, model_.dofs, u);
+    return mesh::to_vertices(model_.problem.mesh, model_.problem.dofs, u);
   }
 
   petsc::Tall internal(const petsc::Tall& d) const {
-    const auto sums = internal_forces(model_.mesh, model_.full.materials, stations(d));
-    return mesh::from_vertices(model_.mesh, model_.dofs, sums.forces) * rule_.weights;
+    const auto sums = internal_forces(model_.problem, stations(d));
+    return mesh::from_vertices(model_.problem.mesh, model_.problem.dofs, sums.forces) * rule_.weights;
   }
 
   petsc::Tall residual(const petsc::Tall& d) const { return inertia(d) + damping(d) + internal(d) - rule_.load; }
@@ -91,10 +93,10 @@ class StepEquations {
   void tangent(const petsc::Tall& d) {
     Mat J = model_.tangent.matrix;
     const Eigen::VectorXd weights = rule_.weights.cwiseProduct(rule_.points);
-    fill_tangent(model_.tangent, model_.mesh, model_.dofs, model_.full.materials, weights, stations(d));
-    petsc::check(MatAXPY(J, rule_.a + options_.alpha * rule_.v, model_.full.mass, SUBSET_NONZERO_PATTERN));
+    fill_tangent(model_.tangent, model_.problem, weights, stations(d));
+    petsc::check(MatAXPY(J, rule_.a + options_.alpha * rule_.v, model_.problem.matrices.mass, SUBSET_NONZERO_PATTERN));
     if (options_.beta != 0)
-      petsc::check(MatAXPY(J, options_.beta * rule_.v, model_.full.stiffness, SAME_NONZERO_PATTERN));
+      petsc::check(MatAXPY(J, options_.beta * rule_.v, model_.problem.matrices.stiffness, SAME_NONZERO_PATTERN));
   }
 
   FullModel& model_;
@@ -137,7 +139,7 @@ class Motion {
     if (options_.integrator == FullIntegrator::avf) next.v = 2 / dt * d - now.v;
     next.energies.work += dot(model_, d, F0 + F1) / 2;
     next.energies.dissipated += dot(model_, d, damp(model_, options_, d)) / dt;
-    next.energies.kinetic = dot(model_, next.v, petsc::multiply(model_.full.mass, next.v)) / 2;
+    next.energies.kinetic = dot(model_, next.v, petsc::multiply(model_.problem.matrices.mass, next.v)) / 2;
     next.energies.elastic = energy_and_force(model_, next.u).energy;
     return next;
   }
@@ -159,14 +161,14 @@ class Motion {
 
 petsc::Tall balanced_acceleration(const FullModel& model, const DynamicOptions& options, const DynamicState& state,
                                   const LoadAt& load) {
-  return petsc::solve_mass(model.full.mass,
+  return petsc::solve_mass(model.problem.matrices.mass,
                            load(state.t) - damp(model, options, state.v) - energy_and_force(model, state.u).force);
 }
 
 DynamicState start_dynamics(FullModel& model, const DynamicOptions& options, DynamicState state, const LoadAt& load) {
   auto& e = state.energies;
   e.elastic = energy_and_force(model, state.u).energy;
-  e.kinetic = dot(model, state.v, petsc::multiply(model.full.mass, state.v)) / 2;
+  e.kinetic = dot(model, state.v, petsc::multiply(model.problem.matrices.mass, state.v)) / 2;
   e.start = e.kinetic + e.elastic;
   if (options.integrator == FullIntegrator::newmark) state.a = balanced_acceleration(model, options, state, load);
   return state;

@@ -7,17 +7,15 @@
 
 namespace ritz::stages {
 
-/// mesh, dofs and full must outlive it.
+/// The problem must outlive it.
 struct FullModel {
-  const mesh::Mesh& mesh;
-  const mesh::Dofs& dofs;
-  const Full& full;
+  const Problem& problem;
   Tangent tangent;
   petsc::Newton newton;
 };
 
 /// *Collective*.
-FullModel full_model(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full& full, petsc::LinearSolver solver);
+FullModel full_model(const Problem& problem, petsc::LinearSolver solver);
 
 struct EnergyAndForce {
   double energy;      ///< J

@@ -16,7 +16,7 @@ constexpr double jump = .2;        ///< a change of u, relative to u, that no su
 constexpr std::uint64_t probe_stream = 4000;
 
 void refuse_loose(const FullModel& model) {
-  const auto motions = rigid_motions(model.mesh, model.dofs).cols();
+  const auto motions = rigid_motions(model.problem.mesh, model.problem.dofs).cols();
   if (motions > 0)
     throw InputError("[static]: the supports leave the body " + std::to_string(motions) +
                      " rigid motions; hold it with -fix, or let it move with [time]");
@@ -64,8 +64,8 @@ class Loading {
   }
 
   void fill(const petsc::Tall& u) {
-    fill_tangent(model_.tangent, model_.mesh, model_.dofs, model_.full.materials, Eigen::VectorXd::Ones(1),
-                 mesh::to_vertices(model_.mesh, model_.dofs, u));
+    fill_tangent(model_.tangent, model_.problem, Eigen::VectorXd::Ones(1),
+                 mesh::to_vertices(model_.problem.mesh, model_.problem.dofs, u));
   }
 
   /// Whether the tangent ceases to be definite within the increment from `state` to the fraction `to`, looked for in
@@ -78,7 +78,7 @@ class Loading {
     if (indefinite || !(length > 0 && std::isfinite(length))) return indefinite;
     fill(state.u + std::min(2.0, most / length) * ahead);
     // Without an inertia it is the softest direction that tells: two steps of inverse iteration bring it out.
-    auto probe = model_.newton.solve_linear(fixed_vectors(model_.mesh, model_.dofs, 1, probe_stream));
+    auto probe = model_.newton.solve_linear(fixed_vectors(model_.problem.mesh, model_.problem.dofs, 1, probe_stream));
     if (!probe.indefinite) probe = model_.newton.solve_linear(probe.x);
     return probe.indefinite;
   }

@@ -2,9 +2,8 @@
 #pragma once
 #include <vector>
 
-#include "ritz/fem/material.hpp"
-#include "ritz/mesh/mesh.hpp"
 #include "ritz/petsc/multivector.hpp"
+#include "ritz/stages/assemble.hpp"
 
 namespace ritz::stages {
 
@@ -16,7 +15,6 @@ struct InternalForces {
 
 /// By the elements' own rule, for each column of `u` (m, rows of owned vertices, 3 a vertex). Each rank sums the
 /// complete rows of its vertices from its own and its halo's cells, in the file's order. *Collective*.
-InternalForces internal_forces(const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials,
-                               const petsc::ConstTallRef& u);
+InternalForces internal_forces(const Problem& problem, const petsc::ConstTallRef& u);
 
 }  // namespace ritz::stages

@@ -34,10 +34,10 @@ Eigen::ArrayXd quotient(const Eigen::ArrayXd& a, const Eigen::ArrayXd& b) { retu
 
 }  // namespace
 
-Solved solve(const Full& full, const Inverse& inverse, const petsc::Tall& rigid, double norm_K,
+Solved solve(const Matrices& matrices, const Inverse& inverse, const petsc::Tall& rigid, double norm_K,
              const petsc::ConstTallRef& b) {
-  const MPI_Comm comm = petsc::comm_of(full.stiffness);
-  const petsc::Tall massive = petsc::multiply(full.mass, rigid);
+  const MPI_Comm comm = petsc::comm_of(matrices.stiffness);
+  const petsc::Tall massive = petsc::multiply(matrices.mass, rigid);
   petsc::Tall r = b, z(b.rows(), b.cols());
   if (rigid.cols() > 0) petsc::subtract(r, massive, petsc::inner(comm, rigid, r));
   const auto precondition = [&] {
@@ -61,7 +61,7 @@ Solved solve(const Full& full, const Inverse& inverse, const petsc::Tall& rigid,
     const Eigen::ArrayXd beta = solved.iterations == 0 ? Eigen::ArrayXd::Zero(b.cols()) : quotient(rz, last);
     p = z + p * beta.matrix().asDiagonal();
     last = rz;
-    const petsc::Tall kp = petsc::multiply(full.stiffness, p);
+    const petsc::Tall kp = petsc::multiply(matrices.stiffness, p);
     const Eigen::ArrayXd alpha = open * quotient(rz, dots(comm, p, kp));
     solved.x += p * alpha.matrix().asDiagonal();
     r -= kp * alpha.matrix().asDiagonal();

@@ -20,7 +20,7 @@ struct Solved {
 /// x = K⁻¹ b; where the body can move rigidly, K x = (I − M R Rᵀ) b with RᵀMx = 0, R the M-orthonormal `rigid` modes.
 /// Conjugate gradients on all columns side by side, preconditioned with `inverse` (which, when exact, ends them at
 /// once), until ‖Kx − b‖ ≤ max(1e-11 ‖b‖, 10 ε ‖K‖₁‖x‖). Throws NumericalError naming the residual. *Collective*.
-Solved solve(const Full& full, const Inverse& inverse, const petsc::Tall& rigid, double norm_K,
+Solved solve(const Matrices& matrices, const Inverse& inverse, const petsc::Tall& rigid, double norm_K,
              const petsc::ConstTallRef& b);
 
 }  // namespace ritz::stages

@@ -26,10 +26,10 @@ struct Cycle {
 };
 
 /// K − σM, positive definite.
-petsc::Matrix shifted(const Full& full, double sigma) {
+petsc::Matrix shifted(const Matrices& matrices, double sigma) {
   petsc::Matrix A;
-  petsc::check(MatDuplicate(full.stiffness, MAT_COPY_VALUES, A.out()));
-  if (sigma != 0) petsc::check(MatAXPY(A, -sigma, full.mass, SUBSET_NONZERO_PATTERN));
+  petsc::check(MatDuplicate(matrices.stiffness, MAT_COPY_VALUES, A.out()));
+  if (sigma != 0) petsc::check(MatAXPY(A, -sigma, matrices.mass, SUBSET_NONZERO_PATTERN));
   return A;
 }
 
@@ -39,7 +39,8 @@ petsc::Tall start_block(const EigenProblem& problem, const petsc::Multigrid& cyc
   const auto fresh = std::max<int>(width - static_cast<int>(known.cols()), 4);
   petsc::Tall start(problem.rigid.rows(), known.cols() + fresh);
   start.leftCols(known.cols()) = known;
-  cycle.apply(petsc::multiply(problem.full.mass, fixed_vectors(problem.mesh, problem.dofs, fresh, start_stream)),
+  cycle.apply(petsc::multiply(problem.body.matrices.mass,
+                              fixed_vectors(problem.body.mesh, problem.body.dofs, fresh, start_stream)),
               start.rightCols(fresh));
   return start;
 }
@@ -54,13 +55,13 @@ int iterative_block(int wanted) {
 Found find_iteratively(const EigenProblem& problem, int wanted, const petsc::Tall& known,
                        const ModesProgress& progress) {
   progress("multigrid", 0);
-  const auto cycle = std::make_shared<const Cycle>(shifted(problem.full, safe_shift(problem)),
-                                                   near_null_space(problem.mesh, problem.dofs));
+  const auto cycle = std::make_shared<const Cycle>(shifted(problem.body.matrices, safe_shift(problem)),
+                                                   near_null_space(problem.body.mesh, problem.body.dofs));
   const Inverse inverse = [cycle](const petsc::ConstTallRef& r, petsc::TallRef z) { cycle->multigrid.apply(r, z); };
   LobpcgOptions options;
   options.wanted = wanted;
-  auto found = lobpcg(problem.full.stiffness, problem.full.mass, problem.norm_K, inverse, problem.rigid,
-                      start_block(problem, cycle->multigrid, known, iterative_block(wanted)), options,
+  auto found = lobpcg(problem.body.matrices.stiffness, problem.body.matrices.mass, problem.norm_K, inverse,
+                      problem.rigid, start_block(problem, cycle->multigrid, known, iterative_block(wanted)), options,
                       [&](int done, int all) { progress("modes", double(done) / all); });
   if (found.converged < wanted)
     throw NumericalError("the eigensolver (LOBPCG with multigrid) converged to " + std::to_string(found.converged) +

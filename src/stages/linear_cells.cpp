@@ -5,11 +5,9 @@
 #include <map>
 
 #include "ritz/base/shown.hpp"
-#include "ritz/fem/dispatch.hpp"
 #include "ritz/fem/geometry.hpp"
-#include "ritz/mesh/halo.hpp"
 #include "ritz/parallel/comm.hpp"
-#include "ritz/stages/vertex_graph.hpp"
+#include "ritz/stages/each_cell.hpp"
 
 namespace ritz::stages {
 namespace {
@@ -35,15 +33,7 @@ Strain strain(const fem::Coordinates<E>& u, const fem::Matrix<E::vertices, 3>& g
   return e;
 }
 
-template <class E>
-fem::Coordinates<E> moved(const mesh::Mesh& mesh, int cell, const Eigen::Ref<const Eigen::VectorXd>& local) {
-  const auto vertices = mesh.cells.of(cell);
-  fem::Coordinates<E> u;
-  for (int a = 0; a < E::vertices; ++a) u.col(a) = local.segment<3>(3 * vertices[static_cast<std::size_t>(a)]);
-  return u;
-}
-
-bool is_linear(fem::CellType type) { return type != fem::CellType::tet10; }
+constexpr bool is_linear(fem::CellType type) { return type != fem::CellType::tet10; }
 
 const fem::StVK& material_of(const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials, int cell) {
   return materials[static_cast<std::size_t>(mesh.cells.regions[static_cast<std::size_t>(cell)])];
@@ -63,73 +53,75 @@ struct Recovered {
 
 /// Adds volume times strain of one cell, as it is at each of its vertices.
 template <class E>
-void add_strains(const mesh::Mesh& mesh, int cell, const petsc::Tall& local, Recovered& sums,
+void add_strains(const mesh::Mesh& mesh, const Cell<E>& cell, const petsc::Tall& local, Recovered& sums,
                  Eigen::VectorXd& volumes) {
-  const fem::Coordinates<E> x = fem::relative<E>(fem::Coordinates<E>(mesh.corners(cell)));
+  const fem::Coordinates<E> x = fem::relative<E>(cell.x);
   const double volume = fem::volume<E>(x);
-  const auto vertices = mesh.cells.of(cell);
   for (int a = 0; a < E::vertices; ++a) {
-    const int v = vertices[static_cast<std::size_t>(a)];
+    const int v = cell.vertex(a);
     if (v >= mesh.owned) continue;
     volumes[v] += volume;
     const auto gradients = fem::physical_gradients<E>(x, {E::reference[static_cast<std::size_t>(a)], 1}).gradients;
     for (Index j = 0; j < local.cols(); ++j) {
-      const Strain e = volume * strain<E>(moved<E>(mesh, cell, local.col(j)), gradients);
-      sums.normal.col(j).segment<3>(3 * v) += e.head<3>();
-      sums.shear.col(j).segment<3>(3 * v) += e.tail<3>();
+      const Strain e = volume * strain<E>(cell.gather(local, j), gradients);
+      sums.normal.col(j).template segment<3>(3 * v) += e.head<3>();
+      sums.shear.col(j).template segment<3>(3 * v) += e.tail<3>();
     }
   }
 }
 
-template <class Work>
-void visit_linear(const mesh::Mesh& mesh, int cell, Work work) {
-  if (mesh.cells.types[static_cast<std::size_t>(cell)] == fem::CellType::hex8) work(fem::Hex8{});
-  else work(fem::Tet4{});
+/// Calls kernel(Cell<E>) for a Tet4 or a Hex8.
+template <class Kernel>
+void visit_linear(const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials, int cell, Kernel&& kernel) {
+  visit_cell(mesh, materials, cell, [&]<class E>(const Cell<E>& view) {
+    if constexpr (is_linear(E::type)) kernel(view);
+  });
 }
 
 /// ε* over the cells of one octave of stiffness. *Collective*.
-Recovered recover(const mesh::Mesh& mesh, const std::vector<int>& cells, const petsc::Tall& local) {
+Recovered recover(const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials, const std::vector<int>& cells,
+                  const petsc::Tall& local) {
   Eigen::VectorXd volumes = Eigen::VectorXd::Zero(mesh.owned);
   Recovered sums{petsc::Tall::Zero(3 * mesh.owned, local.cols()), petsc::Tall::Zero(3 * mesh.owned, local.cols())};
-  for (const int c : cells) visit_linear(mesh, c, [&]<class E>(E) { add_strains<E>(mesh, c, local, sums, volumes); });
+  for (const int c : cells)
+    visit_linear(mesh, materials, c,
+                 [&]<class E>(const Cell<E>& cell) { add_strains(mesh, cell, local, sums, volumes); });
   for (int v = 0; v < mesh.owned; ++v) {
     if (volumes[v] <= 0) continue;
     sums.normal.middleRows<3>(3 * v) /= volumes[v];
     sums.shear.middleRows<3>(3 * v) /= volumes[v];
   }
-  return {mesh::with_ghosts(mesh, sums.normal), mesh::with_ghosts(mesh, sums.shear)};
+  return {mesh::with_ghosts(mesh, sums.normal, 3), mesh::with_ghosts(mesh, sums.shear, 3)};
 }
 
 /// By mode: twice the energies of ε* − ε, of what varies of ε* within cells, and of its means over cells.
 using ModeSums = Eigen::Array3Xd;
 
 template <class E>
-void add_errors(const mesh::Mesh& mesh, int cell, const fem::StVK& material, const petsc::Tall& local,
-                const Recovered& recovered, ModeSums& sums) {
+void add_errors(const Cell<E>& cell, const petsc::Tall& local, const Recovered& recovered, ModeSums& sums) {
   constexpr bool tetrahedron = E::type == fem::CellType::tet4;
   constexpr auto& rule = []() -> auto& {
     if constexpr (tetrahedron) return E::mass_rule;  // its one point of stiffness sees nothing of ε* − ε
     else return E::rule;
   }
   ();
-  const fem::Coordinates<E> x = fem::relative<E>(fem::Coordinates<E>(mesh.corners(cell)));
-  const auto vertices = mesh.cells.of(cell);
+  const fem::Coordinates<E> x = fem::relative<E>(cell.x);
   for (Index j = 0; j < local.cols(); ++j) {
-    const fem::Coordinates<E> u = moved<E>(mesh, cell, local.col(j));
+    const fem::Coordinates<E> u = cell.gather(local, j);
     fem::Matrix<6, E::vertices> corners;
-    for (int a = 0; a < E::vertices; ++a) corners.col(a) = recovered.at(vertices[static_cast<std::size_t>(a)], j);
+    for (int a = 0; a < E::vertices; ++a) corners.col(a) = recovered.at(cell.vertex(a), j);
     const Strain mean = corners.rowwise().mean();
     double volume = 0, varying = 0;
     for (const auto& point : rule) {
       const auto [gradients, weight] = fem::physical_gradients<E>(x, point);
       const Strain smooth = corners * E::shape(point.xi);
       volume += weight;
-      varying += weight * twice_energy(material, smooth - mean);
-      sums(0, j) += weight * twice_energy(material, smooth - strain<E>(u, gradients));
+      varying += weight * twice_energy(cell.material, smooth - mean);
+      sums(0, j) += weight * twice_energy(cell.material, smooth - strain<E>(u, gradients));
     }
     // A mean over a vertex's tetrahedra has lost as much of a strain that changes sign as makes this a fifth.
     sums(1, j) += (tetrahedron ? 5 : 1) * varying;
-    sums(2, j) += volume * twice_energy(material, mean);
+    sums(2, j) += volume * twice_energy(cell.material, mean);
   }
 }
 
@@ -157,23 +149,24 @@ std::string percent(double error) { return shown(std::round(100 * error)) + (err
 
 }  // namespace
 
-std::vector<LinearCellsError> linear_cells_errors(const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials,
-                                                  const Eigen::VectorXd& lambda, const petsc::ConstTallRef& u) {
+std::vector<LinearCellsError> linear_cells_errors(const Problem& problem, const Eigen::VectorXd& lambda,
+                                                  const petsc::ConstTallRef& u) {
+  const mesh::Mesh& mesh = problem.mesh;
+  const auto& materials = problem.materials;
   std::map<int, std::vector<int>> cells;  // by octave of stiffness, in the file's order
   for (const auto& material : materials) cells[octave(material)];
-  for (const int c : file_order(mesh.cells))
+  for (const int c : mesh.cells.file_order)
     if (is_linear(mesh.cells.types[static_cast<std::size_t>(c)]))
       cells[octave(material_of(mesh, materials, c))].push_back(c);
-  const petsc::Tall local = mesh::with_ghosts(mesh, u);
+  const petsc::Tall local = mesh::with_ghosts(mesh, u, mesh::components);
   Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(3, u.cols());
   for (const auto& [key, alike] : cells) {
-    const Recovered recovered = recover(mesh, alike, local);
+    const Recovered recovered = recover(mesh, materials, alike, local);
     ModeSums of_alike = ModeSums::Zero(3, u.cols());
     for (const int c : alike)
       if (c < mesh.cells.owned)
-        visit_linear(mesh, c, [&]<class E>(E) {
-          add_errors<E>(mesh, c, material_of(mesh, materials, c), local, recovered, of_alike);
-        });
+        visit_linear(mesh, materials, c,
+                     [&]<class E>(const Cell<E>& cell) { add_errors(cell, local, recovered, of_alike); });
     sums += of_alike.matrix();
   }
   parallel::sum_in_place(mesh.comm, sums);
@@ -185,16 +178,15 @@ std::vector<LinearCellsError> linear_cells_errors(const mesh::Mesh& mesh, const 
   return errors;
 }
 
-std::vector<std::string> linear_cells_warning(const mesh::Mesh& mesh, const mesh::Dofs& dofs,
-                                              const std::vector<fem::StVK>& materials, const ModesResult& modes) {
-  const auto names = names_of(mesh);
+std::vector<std::string> linear_cells_warning(const Problem& problem, const ModesResult& modes) {
+  const auto names = names_of(problem.mesh);
   const Index rigid = rigid_modes(modes).cols(), flexible = modes.vectors.cols() - rigid;
   if (names.empty() || flexible == 0) return {};
   const Eigen::VectorXd lambda = modes.modes.eigenvalues.tail(flexible);
   const auto low = std::count_if(lambda.begin(), lambda.begin() + std::min<Index>(most_modes, flexible),
                                  [&](double l) { return l <= highest_frequency * highest_frequency * lambda[0]; });
-  const auto errors = linear_cells_errors(mesh, materials, lambda.head(low),
-                                          mesh::to_vertices(mesh, dofs, flexible_modes(modes).leftCols(low)));
+  const auto errors = linear_cells_errors(
+      problem, lambda.head(low), mesh::to_vertices(problem.mesh, problem.dofs, flexible_modes(modes).leftCols(low)));
   std::vector<std::string> numbers, sizes;
   for (Index j = 0; j < low; ++j) {
     const auto& [frequency, layers] = errors[static_cast<std::size_t>(j)];

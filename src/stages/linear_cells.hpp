@@ -24,13 +24,12 @@ struct LinearCellsError {
 };
 
 /// Of each mode, by λ and displacements `u` (M-normalised; rows of owned vertices, 3 a vertex). *Collective*.
-std::vector<LinearCellsError> linear_cells_errors(const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials,
-                                                  const Eigen::VectorXd& lambda, const petsc::ConstTallRef& u);
+std::vector<LinearCellsError> linear_cells_errors(const Problem& problem, const Eigen::VectorXd& lambda,
+                                                  const petsc::ConstTallRef& u);
 
 /// A sentence on the lowest flexible modes (at most six, up to four times the first frequency), or nothing: where a
 /// frequency is estimated to be a quarter too high, or a tenth and less than 2.6 cells lie across what bends.
 /// Thick bodies and bars that stretch pass. *Collective*.
-std::vector<std::string> linear_cells_warning(const mesh::Mesh& mesh, const mesh::Dofs& dofs,
-                                              const std::vector<fem::StVK>& materials, const ModesResult& modes);
+std::vector<std::string> linear_cells_warning(const Problem& problem, const ModesResult& modes);
 
 }  // namespace ritz::stages

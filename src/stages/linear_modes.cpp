@@ -54,10 +54,11 @@ Shift choose_shift(const Eigen::VectorXd& values, Index kept) {
 }
 
 /// The rigid motions, M-orthonormal one after the other: translations stay translations.
-petsc::Tall rigid_modes(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full& full) {
-  petsc::Tall R = rigid_motions(mesh, dofs);
+petsc::Tall rigid_modes(const Problem& problem) {
+  petsc::Tall R = rigid_motions(problem.mesh, problem.dofs);
   for (int pass = 0; pass < 2 && R.cols() > 0; ++pass) {
-    const Eigen::LLT<Eigen::MatrixXd> gram(petsc::inner(mesh.comm, R, petsc::multiply(full.mass, R)));
+    const Eigen::LLT<Eigen::MatrixXd> gram(
+        petsc::inner(problem.mesh.comm, R, petsc::multiply(problem.matrices.mass, R)));
     if (gram.info() != Eigen::Success)
       throw NumericalError("the rigid modes of the body are not independent: is a piece a single point?");
     petsc::normalise(R, gram);
@@ -73,8 +74,8 @@ class Search {
       : problem_(problem),
         options_(options),
         progress_(progress),
-        solver_(std::make_shared<petsc::Factorization>(problem.mesh.comm, "solve_")),
-        most_(flexible_modes(problem.dofs, problem.rigid)) {}
+        solver_(std::make_shared<petsc::Factorization>(problem.body.mesh.comm, "solve_")),
+        most_(flexible_modes(problem.body.dofs, problem.rigid)) {}
 
   /// Pairs found so far, and how many of them to keep.
   Found found;
@@ -105,7 +106,8 @@ class Search {
   }
 
   void keep_inverse() {
-    if (options_.slepc) solver_->factor(problem_.full.stiffness, problem_.full.mass, safe_shift(problem_));
+    if (options_.slepc)
+      solver_->factor(problem_.body.matrices.stiffness, problem_.body.matrices.mass, safe_shift(problem_));
     found.inverse = [solver = solver_](const petsc::ConstTallRef& b, petsc::TallRef x) { solver->solve(b, x); };
   }
 
@@ -123,8 +125,8 @@ class Search {
       // Sylvester's law of inertia: the negative pivots of K − σM are the eigenvalues below σ.
       const auto counter = options_.inverse == InverseUse::spent
                                ? solver_
-                               : std::make_shared<petsc::Factorization>(problem_.mesh.comm, "solve_");
-      counter->factor(problem_.full.stiffness, problem_.full.mass, shift.sigma);
+                               : std::make_shared<petsc::Factorization>(problem_.body.mesh.comm, "solve_");
+      counter->factor(problem_.body.matrices.stiffness, problem_.body.matrices.mass, shift.sigma);
       certificate = {model::Certified::inertia, shift.sigma, counter->negative_pivots(),
                      problem_.rigid.cols() + shift.below};
       const auto missing = certificate.counted - certificate.found;
@@ -148,7 +150,7 @@ class Search {
 
 /// The Rayleigh quotients of M-normalised vectors.
 Eigen::VectorXd energies_of(const EigenProblem& problem, const petsc::ConstTallRef& vectors) {
-  return strain_energies(problem.mesh, problem.full.materials, mesh::to_vertices(problem.mesh, problem.dofs, vectors));
+  return strain_energies(problem.body, mesh::to_vertices(problem.body.mesh, problem.body.dofs, vectors));
 }
 
 /// Puts M-normalised vectors in the order of their Rayleigh quotients, and returns these.
@@ -169,28 +171,28 @@ std::string remedy(const ModesOptions& options) {
 
 /// Rigid and flexible pairs side by side, with the figures that say how good they are.
 ModesResult summarise(const EigenProblem& problem, const ModesOptions& options, const Search& search) {
-  const Full& full = problem.full;
-  const MPI_Comm comm = problem.mesh.comm;
+  const Matrices& matrices = problem.body.matrices;
+  const MPI_Comm comm = problem.body.mesh.comm;
   const Index rigid = problem.rigid.cols(), flexible = search.kept, all = rigid + flexible;
   ModesResult result;
   result.vectors.resize(problem.rigid.rows(), all);
   result.vectors << problem.rigid, search.found.pairs.vectors.leftCols(flexible);
   auto vectors = result.vectors.rightCols(flexible);
   const Eigen::VectorXd values = sort_by_energy(problem, vectors);
-  const auto W = fixed_vectors(problem.mesh, problem.dofs, largest_group(values), sign_stream);
-  if (flexible > 0) make_canonical(full.mass, values, W, vectors);
+  const auto W = fixed_vectors(problem.body.mesh, problem.body.dofs, largest_group(values), sign_stream);
+  if (flexible > 0) make_canonical(matrices.mass, values, W, vectors);
 
   model::Modes& modes = result.modes;
   modes.eigenvalues = Eigen::VectorXd::Zero(all);
   modes.eigenvalues.tail(flexible) = values;
-  const petsc::Tall kpsi = petsc::multiply(full.stiffness, result.vectors);
-  const Eigen::MatrixXd gram = petsc::inner(comm, result.vectors, petsc::multiply(full.mass, result.vectors));
+  const petsc::Tall kpsi = petsc::multiply(matrices.stiffness, result.vectors);
+  const Eigen::MatrixXd gram = petsc::inner(comm, result.vectors, petsc::multiply(matrices.mass, result.vectors));
   modes.energies = petsc::inner(comm, result.vectors, kpsi).diagonal();
   modes.energies.head(rigid) = energies_of(problem, problem.rigid);  // K's rounding is more than they store
   modes.orthonormality = all > 0 ? (gram - Eigen::MatrixXd::Identity(all, all)).cwiseAbs().maxCoeff() : 0;
   modes.residuals = petsc::column_norms(comm, kpsi)
                         .cwiseQuotient((problem.norm_K * petsc::column_norms(comm, result.vectors)).cwiseMax(1e-300));
-  const Residuals r = residuals(full.stiffness, full.mass, problem.norm_K, {values, vectors});
+  const Residuals r = residuals(matrices.stiffness, matrices.mass, problem.norm_K, {values, vectors});
   modes.residuals.tail(flexible) = r.relative;
   modes.floor_applies.assign(static_cast<std::size_t>(all), 0);
   for (Index i = 0; i < flexible; ++i) {
@@ -224,12 +226,12 @@ void check_rigid_energies(const model::Modes& modes, Index rigid) {
 
 }  // namespace
 
-ModesResult linear_modes(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full& full, const ModesOptions& options,
-                         const petsc::ConstTallRef& earlier, const ModesProgress& progress) {
-  const petsc::Tall rigid = rigid_modes(mesh, dofs, full);
-  const EigenProblem problem{mesh, dofs, full, rigid, one_norm(full.stiffness)};
+ModesResult linear_modes(const Problem& body, const ModesOptions& options, const petsc::ConstTallRef& earlier,
+                         const ModesProgress& progress) {
+  const petsc::Tall rigid = rigid_modes(body);
+  const EigenProblem problem{body, rigid, one_norm(body.matrices.stiffness)};
   Search search(problem, options, progress);
-  if (options.count > 0 && flexible_modes(dofs, rigid) > 0) search.run(earlier);
+  if (options.count > 0 && flexible_modes(body.dofs, rigid) > 0) search.run(earlier);
   else search.found.pairs.vectors.resize(rigid.rows(), 0);
   ModesResult result = summarise(problem, options, search);
   result.strategy = options.strategy;

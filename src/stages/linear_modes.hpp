@@ -59,7 +59,7 @@ using ModesProgress = std::function<void(const std::string& what, double fractio
 /// with GAMG, the rigid motions its near-null space; not certified. `earlier`: modes of an earlier run of the same
 /// problem, or no columns. Throws NumericalError when fewer modes converge than were asked for, a residual is above
 /// its gate, or ΨᵀMΨ differs from I by more than 1e-12. *Collective*.
-ModesResult linear_modes(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full& full, const ModesOptions& options,
-                         const petsc::ConstTallRef& earlier, const ModesProgress& progress);
+ModesResult linear_modes(const Problem& problem, const ModesOptions& options, const petsc::ConstTallRef& earlier,
+                         const ModesProgress& progress);
 
 }  // namespace ritz::stages

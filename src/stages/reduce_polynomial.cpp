@@ -2,12 +2,11 @@
 
 #include <cmath>
 
-#include "ritz/fem/dispatch.hpp"
 #include "ritz/fem/strain.hpp"
-#include "ritz/mesh/halo.hpp"
+#include "ritz/mesh/dofs.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/petsc/gram.hpp"
-#include "ritz/stages/vertex_graph.hpp"
+#include "ritz/stages/each_cell.hpp"
 
 namespace ritz::stages {
 namespace {
@@ -104,19 +103,16 @@ class Panel {
 };
 
 template <class E>
-void add_cell(const mesh::Mesh& mesh, int cell, const fem::StVK& material, const RowMajor& local, RowMajor& G,
-              Panel& panel) {
-  const auto vertices = mesh.cells.of(cell);
-  const fem::Coordinates<E> x = fem::relative<E>(fem::Coordinates<E>(mesh.corners(cell)));
-  const auto vertex = [&](int a) { return 3 * vertices[static_cast<std::size_t>(a)]; };
+void add_cell(const Cell<E>& cell, const RowMajor& local, RowMajor& G, Panel& panel) {
+  const fem::Coordinates<E> x = fem::relative<E>(cell.x);
   for (const auto& sample : E::rule) {
     const auto [shape, weight] = fem::physical_gradients<E>(x, sample);
     G.setZero();
     for (int a = 1; a < E::vertices; ++a)
       for (int c = 0; c < 3; ++c)
         for (int d = 0; d < 3; ++d)
-          G.row(3 * c + d) += shape(a, d) * (local.row(vertex(a) + c) - local.row(vertex(0) + c));
-    panel.add(G, Metric(material, weight));
+          G.row(3 * c + d) += shape(a, d) * (local.row(3 * cell.vertex(a) + c) - local.row(3 * cell.vertex(0) + c));
+    panel.add(G, Metric(cell.material, weight));
   }
 }
 
@@ -158,18 +154,13 @@ Eigen::VectorXd quartic(const Eigen::MatrixXd& gram, Index r) {
 
 }  // namespace
 
-model::Polynomial reduce_polynomial(const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials,
-                                    const petsc::ConstTallRef& u) {
-  const RowMajor local = mesh::with_ghosts(mesh, u);
+model::Polynomial reduce_polynomial(const Problem& problem, const petsc::ConstTallRef& u) {
+  const mesh::Mesh& mesh = problem.mesh;
+  const RowMajor local = mesh::with_ghosts(mesh, u, mesh::components);
   const Index r = u.cols();
   Panel panel(r);
   RowMajor G(9, r);
-  for (const int c : file_order(mesh.cells)) {
-    if (c >= mesh.cells.owned) continue;
-    const auto n = static_cast<std::size_t>(c);
-    const auto& material = materials[static_cast<std::size_t>(mesh.cells.regions[n])];
-    fem::visit(mesh.cells.types[n], [&]<class E>(E) { add_cell<E>(mesh, c, material, local, G, panel); });
-  }
+  each_owned_cell(mesh, problem.materials, [&]<class E>(const Cell<E>& cell) { add_cell(cell, local, G, panel); });
   panel.flush();
   model::Polynomial polynomial{r, quadratic(panel.gram, r), cubic(panel.gram, r), quartic(panel.gram, r)};
   for (auto* part : {&polynomial.quadratic, &polynomial.cubic, &polynomial.quartic}) {

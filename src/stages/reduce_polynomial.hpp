@@ -1,11 +1,7 @@
 // The reduced StVK energy as a polynomial (Sec. 3.1).
 #pragma once
-#include <vector>
-
-#include "ritz/fem/material.hpp"
-#include "ritz/mesh/mesh.hpp"
 #include "ritz/model/model.hpp"
-#include "ritz/petsc/multivector.hpp"
+#include "ritz/stages/assemble.hpp"
 
 namespace ritz::stages {
 
@@ -18,7 +14,6 @@ inline constexpr int most_coordinates = 150;
 /// column i, Q_ij = sym(G_iᵀG_j), Q_ii = ½ G_iᵀG_i: linear in y = [z; (z_i z_j)_{i≤j}]. The energy is ½ yᵀ G y, and G
 /// is a sum of outer products, six a point, accumulated by `dsyrk`; then symmetrised, and summed once over the ranks.
 /// *Collective*.
-model::Polynomial reduce_polynomial(const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials,
-                                    const petsc::ConstTallRef& u);
+model::Polynomial reduce_polynomial(const Problem& problem, const petsc::ConstTallRef& u);
 
 }  // namespace ritz::stages

@@ -30,7 +30,7 @@ void add_modes(const ScaledSource& source, int count, const Cut& cut, ScaledSet&
   const int fresh = count - set.modes;
   if (fresh <= 0) return;
   const Eigen::VectorXd scale = (values[0] / values.array()).segment(set.modes, fresh);
-  add(source.full.mass, set.principal, vectors.middleCols(set.modes, fresh) * scale.asDiagonal(), cut);
+  add(source.problem.matrices.mass, set.principal, vectors.middleCols(set.modes, fresh) * scale.asDiagonal(), cut);
   set.modes = count;
 }
 
@@ -51,12 +51,12 @@ void add_derivatives(const ScaledSource& source, int count, int block, const Cut
     Eigen::VectorXd scale(static_cast<Index>(derivatives.pairs.size()));
     for (std::size_t p = 0; p < derivatives.pairs.size(); ++p)
       scale[static_cast<Index>(p)] = weight(derivatives.pairs[p]);
-    add(source.full.mass, set.principal, derivatives.columns * scale.asDiagonal(), cut);
+    add(source.problem.matrices.mass, set.principal, derivatives.columns * scale.asDiagonal(), cut);
     progress("derivatives", double(done += static_cast<int>(derivatives.pairs.size())) / all);
   };
   const auto counts = derivatives(
-      {source.mesh, source.dofs, source.full, source.modes, vectors, fresh}, block, weight,
-      [&] { return dispensable(set.principal, cut); }, take);
+      {source.problem, source.modes, vectors, fresh}, block, weight, [&] { return dispensable(set.principal, cut); },
+      take);
   set.principal.discarded += counts.skipped;
   count_in(counts, set.counts);
   set.derivatives = count;

@@ -13,9 +13,7 @@ struct EnteringModes {
 
 /// What it is made from; all of it must outlive the calls.
 struct ScaledSource {
-  const mesh::Mesh& mesh;
-  const mesh::Dofs& dofs;
-  const Full& full;
+  const Problem& problem;
   const ModesResult& modes;  ///< all that were found
   const EnteringModes& entering;
 };

@@ -5,13 +5,14 @@
 namespace ritz::stages {
 
 Found find_by_krylov_schur(const EigenProblem& problem, int wanted) {
-  auto pairs =
-      petsc::krylov_schur(problem.full.stiffness, problem.full.mass, safe_shift(problem), problem.rigid, wanted, 1e-12);
+  auto pairs = petsc::krylov_schur(problem.body.matrices.stiffness, problem.body.matrices.mass, safe_shift(problem),
+                                   problem.rigid, wanted, 1e-12);
   if (pairs.values.size() < wanted)
     throw NumericalError("SLEPc's eigensolver converged to " + std::to_string(pairs.values.size()) + " of " +
                          std::to_string(wanted) + " modes in " + std::to_string(pairs.iterations) +
                          " iterations; raise -modes_eps_max_it or -modes_eps_ncv");
-  return {rayleigh_ritz(problem.full.stiffness, problem.full.mass, problem.rigid, std::move(pairs.vectors)),
+  return {rayleigh_ritz(problem.body.matrices.stiffness, problem.body.matrices.mass, problem.rigid,
+                        std::move(pairs.vectors)),
           pairs.iterations};
 }
 

@@ -1,16 +1,12 @@
 // The energy of displacement fields, summed cell by cell.
 #pragma once
-#include <vector>
-
-#include "ritz/fem/material.hpp"
-#include "ritz/mesh/dofs.hpp"
+#include "ritz/stages/assemble.hpp"
 
 namespace ritz::stages {
 
 /// uᵀKu of each column, J·2: ∫ ε : C : ε by the element's own rule. A sum of squares of strains, so its relative
 /// rounding error does not grow with the condition of K as that of the product with K does: slender bodies and fine
 /// meshes keep their low eigenvalues' digits. `u`: owned vertices, 3 rows a vertex. *Collective*.
-Eigen::VectorXd strain_energies(const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials,
-                                const petsc::ConstTallRef& u);
+Eigen::VectorXd strain_energies(const Problem& problem, const petsc::ConstTallRef& u);
 
 }  // namespace ritz::stages

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "ritz/fem/dispatch.hpp"
 #include "ritz/fem/stvk.hpp"
-#include "ritz/mesh/halo.hpp"
+#include "ritz/stages/each_cell.hpp"
 
 namespace ritz::stages {
 namespace {
@@ -19,31 +18,22 @@ struct Target {
 };
 
 template <class E>
-auto weighted_tangent(const mesh::Mesh& mesh, int cell, const fem::StVK& material, const Eigen::VectorXd& weights,
-                      const petsc::Tall& local) {
-  const auto vertices = mesh.cells.of(cell);
-  const fem::Coordinates<E> x = mesh.corners(cell);
+auto weighted_tangent(const Cell<E>& cell, const Eigen::VectorXd& weights, const petsc::Tall& local) {
   fem::Matrix<3 * E::vertices, 3 * E::vertices> K;
   K.setZero();
-  for (Eigen::Index j = 0; j < weights.size(); ++j) {
-    fem::Coordinates<E> u;
-    for (int a = 0; a < E::vertices; ++a)
-      u.col(a) = local.col(j).template segment<3>(3 * vertices[static_cast<std::size_t>(a)]);
-    K += weights[j] * fem::tangent<E>(x, u, material);
-  }
+  for (Eigen::Index j = 0; j < weights.size(); ++j)
+    K += weights[j] * fem::tangent<E>(cell.x, cell.gather(local, j), cell.material);
   return K;
 }
 
 template <class E>
-void add_cell(const Target& to, int cell, const fem::StVK& material, const Eigen::VectorXd& weights,
-              const petsc::Tall& local) {
-  const auto vertices = to.mesh.cells.of(cell);
-  const auto K = weighted_tangent<E>(to.mesh, cell, material, weights, local);
+void add_cell(const Target& to, const Cell<E>& cell, const Eigen::VectorXd& weights, const petsc::Tall& local) {
+  const auto K = weighted_tangent(cell, weights, local);
   for (int a = 0; a < E::vertices; ++a) {
-    const int row = vertices[static_cast<std::size_t>(a)];
+    const int row = cell.vertex(a);
     if (row >= to.mesh.owned) continue;
     for (int b = 0; b < E::vertices; ++b) {
-      const int column = vertices[static_cast<std::size_t>(b)];
+      const int column = cell.vertex(b);
       const auto place = to.pattern.graph.place(to.mesh.global, row, column);
       add_block(to.rows, to.pattern, to.mesh, to.dofs, place, row, column, K.template block<3, 3>(3 * a, 3 * b));
     }
@@ -52,24 +42,20 @@ void add_cell(const Target& to, int cell, const fem::StVK& material, const Eigen
 
 }  // namespace
 
-Tangent empty_tangent(const mesh::Mesh& mesh, const mesh::Dofs& dofs) {
-  BlockRows blocks = empty_rows(mesh, dofs);
-  return {std::move(blocks.pattern),
-          petsc::symmetric_matrix(mesh.comm, std::move(blocks.rows), dofs.block, petsc::Definite::semi)};
+Tangent empty_tangent(const Problem& problem) {
+  BlockRows blocks = empty_rows(problem.mesh, problem.dofs);
+  return {std::move(blocks.pattern), petsc::symmetric_matrix(problem.mesh.comm, std::move(blocks.rows),
+                                                             problem.dofs.block, petsc::Definite::semi)};
 }
 
-void fill_tangent(Tangent& tangent, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
-                  const std::vector<fem::StVK>& materials, const Eigen::VectorXd& weights,
+void fill_tangent(Tangent& tangent, const Problem& problem, const Eigen::VectorXd& weights,
                   const petsc::ConstTallRef& u) {
-  const petsc::Tall local = mesh::with_ghosts(mesh, u);
+  const mesh::Mesh& mesh = problem.mesh;
+  const petsc::Tall local = mesh::with_ghosts(mesh, u, mesh::components);
   petsc::Rows& rows = petsc::storage(tangent.matrix);
   for (petsc::Csr* part : {&rows.own, &rows.other}) std::fill(part->values.begin(), part->values.end(), 0.0);
-  const Target to{tangent.pattern, rows, mesh, dofs};
-  for (const int c : file_order(mesh.cells)) {
-    const auto i = static_cast<std::size_t>(c);
-    const auto& material = materials[static_cast<std::size_t>(mesh.cells.regions[i])];
-    fem::visit(mesh.cells.types[i], [&]<class E>(E) { add_cell<E>(to, c, material, weights, local); });
-  }
+  const Target to{tangent.pattern, rows, mesh, problem.dofs};
+  each_cell(mesh, problem.materials, [&]<class E>(const Cell<E>& cell) { add_cell(to, cell, weights, local); });
   petsc::renewed(tangent.matrix);
 }
 

@@ -12,14 +12,13 @@ struct Tangent {
 };
 
 /// *Collective*.
-Tangent empty_tangent(const mesh::Mesh& mesh, const mesh::Dofs& dofs);
+Tangent empty_tangent(const Problem& problem);
 
 /// tangent.matrix = Σ_j w_j K(u_j), N/m over the free degrees of freedom, with K = d²E/du² by the elements' own rule
 /// and u_j the columns of `u` (m, rows of owned vertices, 3 a vertex). K(0) is assemble's stiffness. Each rank sums its
 /// complete rows from its own and its halo's cells, in the file's order: nothing but u at ghosts is communicated, and
 /// nothing is allocated in the matrix. *Collective*.
-void fill_tangent(Tangent& tangent, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
-                  const std::vector<fem::StVK>& materials, const Eigen::VectorXd& weights,
+void fill_tangent(Tangent& tangent, const Problem& problem, const Eigen::VectorXd& weights,
                   const petsc::ConstTallRef& u);
 
 }  // namespace ritz::stages

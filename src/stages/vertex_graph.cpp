@@ -16,15 +16,6 @@ std::size_t VertexGraph::place(const std::vector<mesh::Index>& global, int row, 
   return static_cast<std::size_t>(found - columns.begin());
 }
 
-std::vector<int> file_order(const mesh::Cells& cells) {
-  std::vector<int> order(static_cast<std::size_t>(cells.count()));
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](int a, int b) {
-    return cells.numbers[static_cast<std::size_t>(a)] < cells.numbers[static_cast<std::size_t>(b)];
-  });
-  return order;
-}
-
 CellsOfVertices cells_of_vertices(const mesh::Mesh& mesh) {
   CellsOfVertices around;
   around.starts.assign(static_cast<std::size_t>(mesh.local_vertices()) + 1, 0);
@@ -32,7 +23,7 @@ CellsOfVertices cells_of_vertices(const mesh::Mesh& mesh) {
   std::partial_sum(around.starts.begin(), around.starts.end(), around.starts.begin());
   around.cells.resize(mesh.cells.vertices.size());
   auto next = around.starts;
-  for (const int c : file_order(mesh.cells))
+  for (const int c : mesh.cells.file_order)
     for (const int v : mesh.cells.of(c)) around.cells[next[static_cast<std::size_t>(v)]++] = c;
   return around;
 }

@@ -25,7 +25,4 @@ struct CellsOfVertices {
 
 CellsOfVertices cells_of_vertices(const mesh::Mesh& mesh);
 
-/// Local cells in the file's order.
-std::vector<int> file_order(const mesh::Cells& cells);
-
 }  // namespace ritz::stages

@@ -61,13 +61,13 @@ void require(const std::string& what, double error, double allowed) {
 
 }  // namespace
 
-Figures polynomial_witness(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Full& full,
-                           const petsc::ConstTallRef& u, const model::Polynomial& polynomial) {
+Figures polynomial_witness(const Problem& problem, const petsc::ConstTallRef& u, const model::Polynomial& polynomial) {
+  const auto& [mesh, dofs, materials, matrices] = problem;
   const Eigen::MatrixXd z = samples(mesh, u);
   const petsc::Tall displaced = petsc::combine(u, z);
-  const auto truth = internal_forces(mesh, full.materials, displaced);
+  const auto truth = internal_forces(problem, displaced);
   const Eigen::MatrixXd reduced = petsc::inner(mesh.comm, u, truth.forces);
-  const Eigen::ArrayXd rounding = 10 * epsilon * one_norm(full.stiffness) *
+  const Eigen::ArrayXd rounding = 10 * epsilon * one_norm(matrices.stiffness) *
                                   petsc::column_norms(mesh.comm, displaced).array() *
                                   petsc::column_norms(mesh.comm, u).maxCoeff();
   const auto forces = runtime::make_forces<double>(polynomial);
@@ -84,29 +84,30 @@ Figures polynomial_witness(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const
     energy = std::max(energy, energy_error);
   }
   const petsc::Tall free = mesh::from_vertices(mesh, dofs, u);
-  const Eigen::MatrixXd stiffness = petsc::inner(mesh.comm, free, petsc::multiply(full.stiffness, free));
+  const Eigen::MatrixXd stiffness = petsc::inner(mesh.comm, free, petsc::multiply(matrices.stiffness, free));
   const double scale = stiffness.cwiseAbs().maxCoeff();
   const double tangent = (forces.linear - stiffness).cwiseAbs().maxCoeff() / scale;
   require("K at rest", tangent, rounding.maxCoeff() / (scale * z.col(decades - 1).norm()));
   return {{"witness_force", force}, {"witness_energy", energy}, {"witness_stiffness", tangent}};
 }
 
-double taylor_slope(const DerivativesSource& source, const std::vector<fem::StVK>& materials,
-                    const petsc::ConstTallRef& line, const petsc::ConstTallRef& curve) {
-  const auto& [mesh, dofs, full, found, flexible, rows] = source;
+double taylor_slope(const DerivativesSource& source, const petsc::ConstTallRef& line,
+                    const petsc::ConstTallRef& curve) {
+  const auto& [problem, found, flexible, rows] = source;
+  const auto& [mesh, dofs, materials, matrices] = problem;
   const petsc::Tall rigid = rigid_modes(found);
   const double start = largest_start * size_of(mesh) / largest(mesh.comm, line);
   const Eigen::ArrayXd t = start * Eigen::ArrayXd::LinSpaced(sizes_tried, 0, sizes_tried - 1).unaryExpr([](double n) {
     return std::exp2(-n);
   });
   const petsc::Tall path = line * t.matrix().transpose() + curve * t.square().matrix().transpose();
-  const auto forces = internal_forces(mesh, materials, mesh::to_vertices(mesh, dofs, path));
-  petsc::Tall remainder =
-      mesh::from_vertices(mesh, dofs, forces.forces) - petsc::multiply(full.stiffness, line) * t.matrix().transpose();
+  const auto forces = internal_forces(problem, mesh::to_vertices(mesh, dofs, path));
+  petsc::Tall remainder = mesh::from_vertices(mesh, dofs, forces.forces) -
+                          petsc::multiply(matrices.stiffness, line) * t.matrix().transpose();
   if (rigid.cols() > 0)
-    petsc::subtract(remainder, petsc::multiply(full.mass, rigid), petsc::inner(mesh.comm, rigid, remainder));
+    petsc::subtract(remainder, petsc::multiply(matrices.mass, rigid), petsc::inner(mesh.comm, rigid, remainder));
   const Eigen::ArrayXd sizes = petsc::column_norms(mesh.comm, remainder).array();
-  const Eigen::ArrayXd rounding = epsilon * one_norm(full.stiffness) * petsc::column_norms(mesh.comm, path).array();
+  const Eigen::ArrayXd rounding = epsilon * one_norm(matrices.stiffness) * petsc::column_norms(mesh.comm, path).array();
   Index clear = 0;
   while (clear < sizes_tried && sizes[clear] > clear_of_rounding * rounding[clear]) ++clear;
   if (clear <= halvings) return std::numeric_limits<double>::quiet_NaN();
@@ -124,21 +125,20 @@ void require_third_order(double slope) {
         shown(slope, 3) + " of the amplitude in place of 3; the model was not written");
 }
 
-Figures taylor_witness(const DerivativesSource& source, const std::vector<fem::StVK>& materials) {
+Figures taylor_witness(const DerivativesSource& source) {
   const petsc::Tall psi = source.flexible.leftCols(std::min<Index>(3, source.flexible.cols()));
   const auto modes = static_cast<int>(psi.cols());
   const Eigen::VectorXd p = Eigen::VectorXd::LinSpaced(modes, 1, modes).cwiseInverse();
   petsc::Tall curve = petsc::Tall::Zero(psi.rows(), 1);
   derivatives(
-      {source.mesh, source.dofs, source.full, source.modes, psi, modes}, modes * modes, [](Pair) { return 1.0; },
-      [] { return 0.0; },
+      {source.problem, source.modes, psi, modes}, modes * modes, [](Pair) { return 1.0; }, [] { return 0.0; },
       [&](const DerivativeBlock& block) {
         for (std::size_t n = 0; n < block.pairs.size(); ++n) {
           const auto [i, j] = block.pairs[n];
           curve += (i == j ? 0.5 : 1.0) * p[i] * p[j] * block.columns.col(static_cast<Index>(n));
         }
       });
-  const double slope = taylor_slope(source, materials, psi * p, curve);
+  const double slope = taylor_slope(source, psi * p, curve);
   require_third_order(slope);
   return {{"witness_taylor_slope", slope}};
 }

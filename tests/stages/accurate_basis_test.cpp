@@ -25,7 +25,7 @@ using petsc::Tall;
 class AccurateBasis : public testing::TestWithParam<const char*> {
  protected:
   AccurateBasis() {
-    auto model = stages::full_model(r.p.mesh, r.p.dofs, r.p.full, petsc::LinearSolver::direct);
+    auto model = stages::full_model(r.p, petsc::LinearSolver::direct);
     path = {Tall(r.p.dofs.owned, 2), Tall(r.p.dofs.owned, 2)};
     stages::full_statics(
         model, {.steps = 2}, {0, Tall::Zero(r.p.dofs.owned, 1), 0},
@@ -46,14 +46,13 @@ class AccurateBasis : public testing::TestWithParam<const char*> {
   }
 
   stages::AccurateBasis choose(double target) const {
-    return stages::accurate_basis(r.p.mesh, r.p.dofs, r.p.full, r.modes, path, target,
-                                  [](const std::string&, double) {});
+    return stages::accurate_basis(r.p, r.modes, path, target, [](const std::string&, double) {});
   }
 
   /// The error of a basis, from its own polynomial.
   double error(const Tall& U) const {
     const auto model = runtime::make_nonlinear_model<double>(
-        stages::reduce_polynomial(r.p.mesh, r.p.full.materials, mesh::to_vertices(r.p.mesh, r.p.dofs, U)), {});
+        stages::reduce_polynomial(r.p, mesh::to_vertices(r.p.mesh, r.p.dofs, U)), {});
     auto room = runtime::make_static_workspace(model);
     Eigen::VectorXd z = Eigen::VectorXd::Zero(U.cols()), last = z;
     double worst = 0;

@@ -25,7 +25,7 @@ void expect_orthonormal_and_diagonal(const Reduced& r, const stages::BasisResult
   const Eigen::VectorXd& k = b.reduction.stiffness;
   ASSERT_EQ(k.size(), n);
   EXPECT_TRUE(std::is_sorted(k.begin(), k.end()));
-  const Eigen::MatrixXd K = petsc::inner(r.p.mesh.comm, b.U, petsc::multiply(r.p.full.stiffness, b.U));
+  const Eigen::MatrixXd K = petsc::inner(r.p.mesh.comm, b.U, petsc::multiply(r.p.matrices.stiffness, b.U));
   EXPECT_LE((K - Eigen::MatrixXd(k.asDiagonal())).cwiseAbs().maxCoeff(), 1e-12 * k[n - 1]);
   if (r.rigid.cols() > 0) {
     EXPECT_LE(r.gram(r.rigid, b.U).cwiseAbs().maxCoeff(), 1e-12);
@@ -147,7 +147,7 @@ TEST(Basis, UnitsMoveATruncatedSpanAlone) {
     const stages::BasisOptions options{.modes = {}, .derivatives = 6, .cut = {.size = size, .tolerance = 1e-12}};
     const Tall U = basis_of(si, options).U, V = basis_of(mm, options).U / std::sqrt(1000.);  // 1 t = 1000 kg
     EXPECT_EQ(U.cols(), V.cols());
-    return largest_sine(dense(si.p.full.mass), whole(MPI_COMM_WORLD, U), whole(MPI_COMM_WORLD, V));
+    return largest_sine(dense(si.p.matrices.mass), whole(MPI_COMM_WORLD, U), whole(MPI_COMM_WORLD, V));
   };
   EXPECT_LE(sine(0), 1e-8);
   EXPECT_GT(sine(8), .5);

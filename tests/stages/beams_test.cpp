@@ -21,7 +21,8 @@ struct Solution {
     const Problem p = problem(graded_block(32, 6, 4), {fixed("xmin")});
     const auto result = modes(p, 26);
     frequencies = test::frequencies(result.modes);
-    const auto inertia = stages::inertia(p.mesh, p.full.scalar_mass, mesh::to_vertices(p.mesh, p.dofs, result.vectors));
+    const auto inertia =
+        stages::inertia(p.mesh, p.matrices.scalar_mass, mesh::to_vertices(p.mesh, p.dofs, result.vectors));
     const Eigen::MatrixXd coupling = inertia.rigid_coupling();
     Eigen::MatrixXd shares(coupling.rows(), 4);
     shares << coupling.leftCols(3).cwiseAbs2() / inertia.mass(), coupling.col(3).cwiseAbs2() / inertia.tensor()(0, 0);

@@ -36,7 +36,7 @@ TEST(Clusters, OfTheCubeAreWhole) {
 TEST(Clusters, SpanTheDenseSolversSpaces) {
   const Problem p = clamped();
   const auto result = modes(p, 8);
-  const Eigen::MatrixXd M = dense(p.full.mass), ours = whole(p.mesh.comm, result.vectors);
+  const Eigen::MatrixXd M = dense(p.matrices.mass), ours = whole(p.mesh.comm, result.vectors);
   const Eigen::MatrixXd expected = dense_modes(p).vectors;
   const Eigen::VectorXd lambda = flexible(result.modes);
   for (Eigen::Index i = 0, end = 0; i < lambda.size(); i = end) {
@@ -54,7 +54,8 @@ TEST(Clusters, SpanTheSameSpaceByAnotherSolver) {
   const auto a = modes(p, 3), b = modes(p, slepc);
   ASSERT_EQ(a.vectors.cols(), 4);
   ASSERT_EQ(b.vectors.cols(), 4);
-  const Eigen::MatrixXd M = dense(p.full.mass), x = whole(p.mesh.comm, a.vectors), y = whole(p.mesh.comm, b.vectors);
+  const Eigen::MatrixXd M = dense(p.matrices.mass), x = whole(p.mesh.comm, a.vectors),
+                        y = whole(p.mesh.comm, b.vectors);
   for (const int first : {0, 2}) {
     EXPECT_LE(largest_sine(M, x.middleCols(first, 2), y.middleCols(first, 2)), 1e-6);
     // The basis within a cluster is fixed by the vertices' numbers, not by the solver.

@@ -30,25 +30,26 @@ class Derivatives : public testing::TestWithParam<Case> {
   const MPI_Comm comm = r.p.mesh.comm;
 
   Tall loads(int first, int last) const {
-    const Tall local = mesh::with_ghosts(r.p.mesh, mesh::to_vertices(r.p.mesh, r.p.dofs, r.flexible));
-    return stages::derivative_loads(r.p.mesh, r.p.dofs, r.p.full.materials, local, first, last);
+    const Tall local = mesh::with_ghosts(r.p.mesh, mesh::to_vertices(r.p.mesh, r.p.dofs, r.flexible), mesh::components);
+    return stages::derivative_loads(r.p, local, first, last);
   }
 
   /// −[K(εψ_j) − K(−εψ_j)]/(2ε) ψ_i for all i: K is quadratic, so that this is exact for any ε.
   Tall by_differences(int j) const {
-    stages::Tangent tangent = stages::empty_tangent(r.p.mesh, r.p.dofs);
+    stages::Tangent tangent = stages::empty_tangent(r.p);
     const Tall psi = mesh::to_vertices(r.p.mesh, r.p.dofs, r.flexible.col(j));
     const double epsilon = 1;
     Tall both(psi.rows(), 2);
     both << epsilon * psi, -epsilon * psi;
     const Eigen::Vector2d weights(-.5 / epsilon, .5 / epsilon);
-    stages::fill_tangent(tangent, r.p.mesh, r.p.dofs, r.p.full.materials, weights, both);
+    stages::fill_tangent(tangent, r.p, weights, both);
     return petsc::multiply(tangent.matrix, r.flexible);
   }
 
   /// (I − M R Rᵀ) b
   Tall projected(Tall b) const {
-    if (r.rigid.cols() > 0) petsc::subtract(b, petsc::multiply(r.p.full.mass, r.rigid), petsc::inner(comm, r.rigid, b));
+    if (r.rigid.cols() > 0)
+      petsc::subtract(b, petsc::multiply(r.p.matrices.mass, r.rigid), petsc::inner(comm, r.rigid, b));
     return b;
   }
 };
@@ -78,7 +79,7 @@ TEST_P(Derivatives, LoadsOfSomeRowsAreThoseOfAll) {
 TEST_P(Derivatives, SolveTheirEquation) {
   const auto all = all_derivatives(r);
   const Tall b = projected(loads(0, modes));
-  const Tall rest = petsc::multiply(r.p.full.stiffness, all.columns) - b;
+  const Tall rest = petsc::multiply(r.p.matrices.stiffness, all.columns) - b;
   const Eigen::VectorXd errors = petsc::column_norms(comm, rest).cwiseQuotient(petsc::column_norms(comm, b));
   EXPECT_LE(errors.maxCoeff(), 2e-11);
   if (GetParam().free) {

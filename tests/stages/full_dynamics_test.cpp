@@ -94,7 +94,7 @@ struct Blow {
   stages::DynamicState start = run.rest();
 
   explicit Blow(int most_iterations) {
-    const Tall shape = petsc::solve_mass(run.p.full.mass, end_force(run, {-4, 3, 5}));
+    const Tall shape = petsc::solve_mass(run.p.matrices.mass, end_force(run, {-4, 3, 5}));
     start.v = 6 / petsc::column_norms(run.p.mesh.comm, shape)[0] * shape;
     petsc::check(SNESSetTolerances(run.model.newton.snes(), PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT,
                                    most_iterations, PETSC_DEFAULT));

@@ -46,16 +46,17 @@ class Patch : public testing::TestWithParam<const char*> {
     return found;
   }
 
-  mesh::Mesh mesh = box(std::string("box:1,.8,.9/4,3,3/") + GetParam());
+  Problem body = problem(box(std::string("box:1,.8,.9/4,3,3/") + GetParam()), {}, {{1e5, .3, 1000}});
+  const mesh::Mesh& mesh = body.mesh;
 };
 
 TEST_P(Patch, InnerVerticesFeelNoForce) {
-  constexpr double E = 1e5;
+  const double E = body.materials[0].young;
   Eigen::Matrix3d gradient;
   gradient << .3, -.2, .1, .15, -.25, .05, -.1, .2, .4;
   petsc::Tall u(3 * mesh.owned, 1);
   for (int v = 0; v < mesh.owned; ++v) u.col(0).segment<3>(3 * v) = gradient * mesh.points.col(v);
-  const auto result = stages::internal_forces(mesh, {{E, .3, 1000}}, u);
+  const auto result = stages::internal_forces(body, u);
   for (const int v : inner()) EXPECT_LE(result.forces.col(0).segment<3>(3 * v).norm(), 1e-13 * E) << v;
   double largest = 0;
   for (int v = 0; v < mesh.owned; ++v) largest = std::max(largest, result.forces.col(0).segment<3>(3 * v).norm());

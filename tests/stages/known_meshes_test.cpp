@@ -59,7 +59,7 @@ TEST_F(Known, Beam3) {
 TEST_F(Known, Beam3Trace) {
   const Problem p = vega("beam3_tet.veg", "");
   PetscScalar trace = 0;
-  petsc::check(MatGetTrace(p.full.stiffness, &trace));
+  petsc::check(MatGetTrace(p.matrices.stiffness, &trace));
   EXPECT_NEAR(trace / 896551724.137936, 1, 1e-14);
 }
 

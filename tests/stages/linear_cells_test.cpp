@@ -18,11 +18,11 @@ Problem of(const Body& body, const std::string& cells) {
 
 double estimate(const Problem& p, const stages::ModesResult& found) {
   const auto u = mesh::to_vertices(p.mesh, p.dofs, stages::flexible_modes(found));
-  return stages::linear_cells_errors(p.mesh, p.full.materials, flexible(found.modes), u)[0].frequency;
+  return stages::linear_cells_errors(p, flexible(found.modes), u)[0].frequency;
 }
 
 std::vector<std::string> warning(const Problem& p, const stages::ModesResult& found) {
-  return stages::linear_cells_warning(p.mesh, p.dofs, p.full.materials, found);
+  return stages::linear_cells_warning(p, found);
 }
 
 const Body cantilever = {"1,.1,.06", {fixed("xmin")}}, free_beam = {"1,.1,.06", {}},

@@ -8,7 +8,7 @@ namespace ritz::test {
 namespace {
 
 model::Inertia inertia_of(const Problem& p, const stages::ModesResult& result) {
-  return stages::inertia(p.mesh, p.full.scalar_mass, mesh::to_vertices(p.mesh, p.dofs, result.vectors));
+  return stages::inertia(p.mesh, p.matrices.scalar_mass, mesh::to_vertices(p.mesh, p.dofs, result.vectors));
 }
 
 constexpr double mass = .1 * .06 * 1000;  // kg, of the block 1 x 0.10 x 0.06 m

@@ -17,7 +17,7 @@ using petsc::Tall;
 class Pod : public testing::TestWithParam<const char*> {
  protected:
   const Reduced r = reduced(box_of(std::string("box:1,.4,.3/") + GetParam(), false), 0);
-  const Eigen::MatrixXd M = dense(r.p.full.mass);
+  const Eigen::MatrixXd M = dense(r.p.matrices.mass);
 
   /// 30 snapshots of rank 12, made from the vertices' file numbers: σ falls by 2 a direction.
   Tall snapshots() const {

@@ -29,28 +29,26 @@ class Polynomial : public testing::TestWithParam<Case> {
   const Tall U = basis_of(r, {.modes = {}, .derivatives = 4, .cut = {.size = 7, .tolerance = 1e-12}}).U;
   const Tall u = mesh::to_vertices(r.p.mesh, r.p.dofs, U);
   const MPI_Comm comm = r.p.mesh.comm;
-  const model::Polynomial polynomial = stages::reduce_polynomial(r.p.mesh, r.p.full.materials, u);
+  const model::Polynomial polynomial = stages::reduce_polynomial(r.p, u);
 
   Eigen::VectorXd sample(int decade) const {
     Eigen::VectorXd z(U.cols());
     for (Index i = 0; i < z.size(); ++i) z[i] = uniform(5, static_cast<std::uint64_t>(i));
     return std::pow(10.0, decade) * z;
   }
-  stages::Figures witness(const model::Polynomial& q) const {
-    return stages::polynomial_witness(r.p.mesh, r.p.dofs, r.p.full, u, q);
-  }
+  stages::Figures witness(const model::Polynomial& q) const { return stages::polynomial_witness(r.p, u, q); }
 };
 
 TEST_P(Polynomial, IsTheFullModelOverNineDecades) {
   const auto forces = runtime::make_forces<double>(polynomial);
   auto at = runtime::make_evaluation(forces);
-  stages::Tangent tangent = stages::empty_tangent(r.p.mesh, r.p.dofs);
+  stages::Tangent tangent = stages::empty_tangent(r.p);
   for (int decade = -6; decade < 3; ++decade) {
     const Eigen::VectorXd z = sample(decade);
     const Tall displaced = u * z;
-    const auto full = stages::internal_forces(r.p.mesh, r.p.full.materials, displaced);
+    const auto full = stages::internal_forces(r.p, displaced);
     const Eigen::VectorXd force = petsc::inner(comm, u, full.forces);
-    stages::fill_tangent(tangent, r.p.mesh, r.p.dofs, r.p.full.materials, Eigen::VectorXd::Ones(1), displaced);
+    stages::fill_tangent(tangent, r.p, Eigen::VectorXd::Ones(1), displaced);
     const Eigen::MatrixXd K = petsc::inner(comm, U, petsc::multiply(tangent.matrix, U));
     runtime::evaluate<double>(forces, z, at);
     EXPECT_NEAR(at.energy / full.energies[0], 1, 1e-11) << decade;

@@ -16,7 +16,7 @@ using stages::Principal;
 class Principals : public testing::TestWithParam<const char*> {
  protected:
   const Problem p = box_of(std::string("box:1,.4,.3/") + GetParam(), false);
-  const Eigen::MatrixXd M = dense(p.full.mass);
+  const Eigen::MatrixXd M = dense(p.matrices.mass);
 
   Tall random(int columns, std::uint64_t stream = 1) const {
     return stages::fixed_vectors(p.mesh, p.dofs, columns, stream);
@@ -31,7 +31,7 @@ class Principals : public testing::TestWithParam<const char*> {
   Principal add_in_blocks(const Tall& x, Index block, const Cut& cut) const {
     Principal set;
     for (Index j = 0; j < x.cols(); j += block)
-      stages::add(p.full.mass, set, x.middleCols(j, std::min(block, x.cols() - j)), cut);
+      stages::add(p.matrices.mass, set, x.middleCols(j, std::min(block, x.cols() - j)), cut);
     return set;
   }
   DenseSvd svd(const Tall& x) const {
@@ -46,8 +46,8 @@ class Principals : public testing::TestWithParam<const char*> {
   /// Σ ‖(I − Q QᵀM) x‖²_M
   double projection_error(const Tall& x, const Tall& Q) const {
     Tall rest = x;
-    petsc::subtract(rest, Q, petsc::inner(p.mesh.comm, petsc::multiply(p.full.mass, Q), x));
-    return petsc::inner(p.mesh.comm, rest, petsc::multiply(p.full.mass, rest)).trace();
+    petsc::subtract(rest, Q, petsc::inner(p.mesh.comm, petsc::multiply(p.matrices.mass, Q), x));
+    return petsc::inner(p.mesh.comm, rest, petsc::multiply(p.matrices.mass, rest)).trace();
   }
 };
 

@@ -19,7 +19,7 @@ void expect_same(const Problem& p, const stages::ModesResult& a, const stages::M
   const Eigen::VectorXd x = flexible(a.modes), y = flexible(b.modes);
   EXPECT_LE((x - y).cwiseQuotient(x).cwiseAbs().maxCoeff(), gate);
   // The span as a whole: the last mode is well apart from the next one in these problems.
-  EXPECT_LE(largest_sine(dense(p.full.mass), whole(p.mesh.comm, a.vectors), whole(p.mesh.comm, b.vectors)), 1e-6);
+  EXPECT_LE(largest_sine(dense(p.matrices.mass), whole(p.mesh.comm, a.vectors), whole(p.mesh.comm, b.vectors)), 1e-6);
 }
 
 struct Case {
@@ -56,8 +56,8 @@ TEST_P(Strategies, KrylovSchurLeavesAnInverseToTheDerivatives) {
   slepc.inverse = stages::InverseUse::kept;
   const auto found = modes(p, slepc);
   const petsc::Tall psi = found.vectors.rightCols(1), rigid = found.vectors.leftCols(rigid_count(found.modes));
-  const petsc::Tall b = petsc::multiply(p.full.mass, psi);
-  const auto x = stages::solve(p.full, found.inverse, rigid, stages::one_norm(p.full.stiffness), b).x;
+  const petsc::Tall b = petsc::multiply(p.matrices.mass, psi);
+  const auto x = stages::solve(p.matrices, found.inverse, rigid, stages::one_norm(p.matrices.stiffness), b).x;
   const petsc::Tall expected = psi / found.modes.eigenvalues.tail(1)[0];  // Kψ = λMψ
   EXPECT_LE(petsc::column_norms(p.mesh.comm, x - expected)[0], 1e-7 * petsc::column_norms(p.mesh.comm, expected)[0]);
 }
@@ -74,7 +74,7 @@ TEST_P(Strategies, EarlierModesSpareWorkAndChangeNothing) {
   ModesOptions options;
   options.count = 12;
   const petsc::Tall earlier = first.vectors.rightCols(flexible(first.modes).size());
-  const auto again = stages::linear_modes(p.mesh, p.dofs, p.full, options, earlier, [](const std::string&, double) {});
+  const auto again = stages::linear_modes(p, options, earlier, [](const std::string&, double) {});
   expect_sound(p, options, again);
   expect_same(p, first, again, 1e-10);
   EXPECT_LT(again.iterations, first.iterations);
@@ -86,7 +86,7 @@ TEST(Residuals, AboveTheirGateAreAnsweredByWhatHelps) {
   ModesOptions loose;
   loose.count = 12;
   loose.tolerance = 1e-2;
-  EXPECT_THAT([&] { stages::linear_modes(p.mesh, p.dofs, p.full, loose, none, [](const std::string&, double) {}); },
+  EXPECT_THAT([&] { stages::linear_modes(p, loose, none, [](const std::string&, double) {}); },
               testing::ThrowsMessage<NumericalError>(
                   testing::AllOf(testing::HasSubstr("above its gate"), testing::HasSubstr("smaller -modes_tolerance"),
                                  testing::Not(testing::HasSubstr("-solver direct")))));

@@ -12,12 +12,11 @@ using petsc::Tall;
 
 struct Filled {
   Problem p;
-  stages::FullModel model = stages::full_model(p.mesh, p.dofs, p.full, petsc::LinearSolver::direct);
+  stages::FullModel model = stages::full_model(p, petsc::LinearSolver::direct);
 
   /// K(u), u over free degrees of freedom.
   Eigen::MatrixXd at(const Tall& u) {
-    stages::fill_tangent(model.tangent, p.mesh, p.dofs, p.full.materials, Eigen::VectorXd::Ones(u.cols()),
-                         mesh::to_vertices(p.mesh, p.dofs, u));
+    stages::fill_tangent(model.tangent, p, Eigen::VectorXd::Ones(u.cols()), mesh::to_vertices(p.mesh, p.dofs, u));
     return dense(model.tangent.matrix);
   }
 };
@@ -29,7 +28,7 @@ class Tangent : public testing::TestWithParam<const char*> {
 };
 
 TEST_P(Tangent, AtRestIsTheStiffness) {
-  const Eigen::MatrixXd K = dense(f.p.full.stiffness);
+  const Eigen::MatrixXd K = dense(f.p.matrices.stiffness);
   EXPECT_LE((f.at(0 * psi) - K).cwiseAbs().maxCoeff(), 1e-14 * K.cwiseAbs().maxCoeff());
 }
 

@@ -12,7 +12,8 @@ double largest_sine(const Eigen::MatrixXd& M, const Eigen::MatrixXd& A, const Ei
 }
 
 DenseModes dense_modes(const Problem& p) {
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(dense(p.full.stiffness), dense(p.full.mass));
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(dense(p.matrices.stiffness),
+                                                                        dense(p.matrices.mass));
   return {eigen.eigenvalues(), eigen.eigenvectors()};
 }
 

@@ -9,7 +9,7 @@ namespace ritz::test {
 struct FullRun {
   Problem p;
   petsc::LinearSolver solver = petsc::LinearSolver::direct;
-  stages::FullModel model = stages::full_model(p.mesh, p.dofs, p.full, solver);
+  stages::FullModel model = stages::full_model(p, solver);
 
   petsc::Tall zeros() const { return petsc::Tall::Zero(p.dofs.owned, 1); }
   petsc::Tall free(const petsc::Tall& force) const { return mesh::from_vertices(p.mesh, p.dofs, force); }

@@ -19,19 +19,19 @@ using Eigen::Index;
 /// Eigenvalues below σ by a factorization of its own. *Collective*.
 std::int64_t count_below(const Problem& p, double sigma) {
   petsc::Factorization solver(p.mesh.comm, "count_");
-  solver.factor(p.full.stiffness, p.full.mass, sigma);
+  solver.factor(p.matrices.stiffness, p.matrices.mass, sigma);
   return solver.negative_pivots();
 }
 
 void expect_small_residuals(const Problem& p, const stages::ModesResult& result) {
   const MPI_Comm comm = p.mesh.comm;
-  const petsc::Tall mx = petsc::multiply(p.full.mass, result.vectors),
-                    kx = petsc::multiply(p.full.stiffness, result.vectors);
+  const petsc::Tall mx = petsc::multiply(p.matrices.mass, result.vectors),
+                    kx = petsc::multiply(p.matrices.stiffness, result.vectors);
   const Eigen::VectorXd& lambda = result.modes.eigenvalues;
   const Eigen::VectorXd r = petsc::column_norms(comm, kx - mx * lambda.asDiagonal());
   const Eigen::VectorXd force = lambda.cwiseProduct(petsc::column_norms(comm, mx));
   PetscReal norm_K = 0;
-  MatNorm(p.full.stiffness, NORM_INFINITY, &norm_K);
+  MatNorm(p.matrices.stiffness, NORM_INFINITY, &norm_K);
   const Eigen::VectorXd floor =
       10 * std::numeric_limits<double>::epsilon() * norm_K * petsc::column_norms(comm, result.vectors);
   for (Index i = 0; i < lambda.size(); ++i) {
@@ -66,13 +66,12 @@ mesh::Fixed fixed_between(const Eigen::Vector3d& low, const Eigen::Vector3d& hig
 
 Problem problem(mesh::Mesh mesh, const std::vector<mesh::Fixed>& supports, const std::vector<fem::StVK>& materials) {
   mesh::Dofs dofs = mesh::number(mesh, supports, mesh::FileSupports::used);
-  stages::Full full = stages::assemble(mesh, dofs, materials);
-  return {std::move(mesh), std::move(dofs), std::move(full)};
+  return stages::assemble(std::move(mesh), std::move(dofs), materials);
 }
 
 stages::ModesResult modes(const Problem& p, stages::ModesOptions options) {
   const petsc::Tall none(p.dofs.owned, 0);
-  auto result = stages::linear_modes(p.mesh, p.dofs, p.full, options, none, [](const std::string&, double) {});
+  auto result = stages::linear_modes(p, options, none, [](const std::string&, double) {});
   expect_sound(p, options, result);
   return result;
 }

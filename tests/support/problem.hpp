@@ -9,11 +9,7 @@ namespace ritz::test {
 
 inline constexpr fem::StVK soft = {1e6, .3, 1000};  ///< the beams' material: Pa, 1, kg/m³
 
-struct Problem {
-  mesh::Mesh mesh;
-  mesh::Dofs dofs;
-  stages::Full full;
-};
+using stages::Problem;
 
 /// A distributed mesh of a generated box "box:...", or of a mesh that every rank holds whole. *Collective*.
 mesh::Mesh box(const std::string& text);

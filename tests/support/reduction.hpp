@@ -10,13 +10,11 @@ struct Reduced {
   stages::ModesResult modes;
   petsc::Tall rigid, flexible;
 
-  stages::DerivativesSource source() const {
-    return {p.mesh, p.dofs, p.full, modes, flexible, static_cast<int>(flexible.cols())};
-  }
+  stages::DerivativesSource source() const { return {p, modes, flexible, static_cast<int>(flexible.cols())}; }
   Eigen::VectorXd lambda() const { return test::flexible(modes.modes); }
   /// XᵀMY, the same on all ranks. *Collective*.
   Eigen::MatrixXd gram(const petsc::Tall& x, const petsc::Tall& y) const {
-    return petsc::inner(p.mesh.comm, x, petsc::multiply(p.full.mass, y));
+    return petsc::inner(p.mesh.comm, x, petsc::multiply(p.matrices.mass, y));
   }
   Eigen::VectorXd norms(const petsc::Tall& x) const { return gram(x, x).diagonal().cwiseMax(0).cwiseSqrt(); }
 };
@@ -56,8 +54,7 @@ inline stages::DerivativeBlock all_derivatives(const Reduced& r) {
 /// The basis of `options`, without snapshots unless given. *Collective*.
 inline stages::BasisResult basis_of(const Reduced& r, const stages::BasisOptions& options,
                                     const petsc::Tall& snapshots = {}) {
-  return stages::basis(r.p.mesh, r.p.dofs, r.p.full, r.modes,
-                       snapshots.cols() ? snapshots : petsc::Tall(r.p.dofs.owned, 0), options,
+  return stages::basis(r.p, r.modes, snapshots.cols() ? snapshots : petsc::Tall(r.p.dofs.owned, 0), options,
                        [](const std::string&, double) {});
 }
 

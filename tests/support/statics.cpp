@@ -28,7 +28,7 @@ petsc::Tall end_traction(const Problem& p, const std::string& set, const Eigen::
 
 petsc::Tall solve(const Problem& p, const petsc::Tall& force) {
   petsc::Factorization solver(p.mesh.comm, "statics_");
-  solver.factor(p.full.stiffness, p.full.mass, 0);
+  solver.factor(p.matrices.stiffness, p.matrices.mass, 0);
   petsc::Tall u(force.rows(), force.cols());
   solver.solve(force, u);
   return u;

@@ -1,0 +1,63 @@
+// The loop over the cells of this rank, with each cell's element type, material and vertices at hand. It allocates
+// nothing.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "ritz/fem/dispatch.hpp"
+#include "ritz/fem/material.hpp"
+#include "ritz/fem/types.hpp"
+#include "ritz/mesh/mesh.hpp"
+#include "ritz/petsc/multivector.hpp"
+
+namespace ritz::stages {
+
+/// One cell of element type E.
+template <class E>
+struct Cell {
+  int number;                     ///< among the cells of this rank
+  bool owned;                     ///< by this rank; else it is of the halo
+  std::span<const int> vertices;  ///< local numbers
+  const fem::StVK& material;
+  fem::Coordinates<E> x;  ///< of the vertices at rest, m, a column each
+
+  int vertex(int a) const { return vertices[static_cast<std::size_t>(a)]; }
+
+  /// The three numbers a vertex of column `j` of `local`, whose rows are of all local vertices, 3 each.
+  fem::Coordinates<E> gather(const petsc::Tall& local, Eigen::Index j) const {
+    fem::Coordinates<E> u;
+    for (int a = 0; a < E::vertices; ++a) u.col(a) = local.col(j).template segment<3>(3 * vertex(a));
+    return u;
+  }
+};
+
+/// Calls kernel(Cell<E>) for one cell, E being its element type.
+template <class Kernel>
+decltype(auto) visit_cell(const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials, int cell, Kernel&& kernel) {
+  const auto c = static_cast<std::size_t>(cell);
+  return fem::visit(mesh.cells.types[c], [&]<class E>(E) -> decltype(auto) {
+    Cell<E> view{cell,
+                 cell < mesh.cells.owned,
+                 mesh.cells.of(cell),
+                 materials[static_cast<std::size_t>(mesh.cells.regions[c])],
+                 {}};
+    for (int a = 0; a < E::vertices; ++a) view.x.col(a) = mesh.points.col(view.vertex(a));
+    return kernel(std::as_const(view));
+  });
+}
+
+/// Calls kernel(Cell<E>) for every cell of this rank, its halo's too, in the file's order: what a kernel sums into rows
+/// of owned vertices is complete, and rounds the same on any number of ranks.
+template <class Kernel>
+void each_cell(const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials, Kernel&& kernel) {
+  for (const int c : mesh.cells.file_order) visit_cell(mesh, materials, c, kernel);
+}
+
+/// Calls kernel(Cell<E>) for the cells that this rank owns, in the file's order: what is summed over ranks afterwards
+/// counts each cell once.
+template <class Kernel>
+void each_owned_cell(const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials, Kernel&& kernel) {
+  for (int c = 0; c < mesh.cells.owned; ++c) visit_cell(mesh, materials, c, kernel);
+}
+
+}  // namespace ritz::stages
