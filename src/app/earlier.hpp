@@ -17,7 +17,7 @@ struct FinishedBasis {
 };
 
 struct Earlier {
-  petsc::Tall modes;  ///< flexible modes to begin with, over free degrees of freedom; or no columns
+  mesh::FreeRows modes;  ///< flexible modes to begin with, over free degrees of freedom; or no columns
   std::optional<FinishedBasis> basis;
 };
 

@@ -93,7 +93,7 @@ void FullFile::write_vertices(const std::string& name, const parallel::RowMatrix
   parallel::on_root(comm_, [&] { format::write_attribute(dataset.get(), format::schema::checksum, sum); });
 }
 
-void FullFile::frame(const petsc::Tall& u) {
+void FullFile::frame(mesh::VertexRef u) {
   const auto slice = order_.to_file(comm_, by_vertex(u));
   hsize_t at = 0;
   in_rank_order<double>(comm_, {slice.data(), static_cast<std::size_t>(slice.size())}, [&](auto piece) {

@@ -35,7 +35,7 @@ struct LastState {
   StateKind kind = StateKind::moving;
   std::string integrator;                 ///< whose acceleration `a` is; "none" at rest
   std::map<std::string, double> numbers;  ///< t and energies, by name
-  petsc::Tall u, v, a;
+  mesh::VertexRows u, v, a;
 };
 
 /// The description of motion file `path`, beside it. Throws InputError where that is `path` itself.
@@ -48,7 +48,7 @@ class FullFile {
            const FullPlan& plan);
 
   /// The next frame, rows of owned vertices; as many as planned. *Collective*.
-  void frame(const petsc::Tall& u);
+  void frame(mesh::VertexRef u);
 
   /// *Collective*.
   void keep(const LastState& state, const std::string& problem_checksum);

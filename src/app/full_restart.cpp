@@ -81,7 +81,7 @@ LastState read_last_state(const std::filesystem::path& path, const mesh::Mesh& m
   const std::vector<std::int64_t> numbers(mesh.file_positions.begin(), mesh.file_positions.begin() + mesh.owned);
   const auto mine = parallel::from_slices(mesh.comm, numbers, rows, mesh.vertices_total);
   Eigen::Index part = 0;
-  for (petsc::Tall* column : {&state.u, &state.v, &state.a}) {
+  for (mesh::VertexRows* column : {&state.u, &state.v, &state.a}) {
     const parallel::RowMatrix three = mine.middleCols(3 * part++, 3);
     *column = Eigen::Map<const petsc::Tall>(three.data(), three.size(), 1);
   }

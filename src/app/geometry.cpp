@@ -141,7 +141,7 @@ std::vector<int64_t> FileOrder::to_file(MPI_Comm comm, std::span<const int64_t> 
   return parallel::sorted_by_key(comm, stored.rows, kept, 1, slices.vertices.total);
 }
 
-parallel::RowMatrix by_vertex(const petsc::ConstTallRef& u) {
+parallel::RowMatrix by_vertex(mesh::VertexRef u) {
   return Eigen::Map<const parallel::RowMatrix>(u.data(), u.rows() / 3, 3);
 }
 

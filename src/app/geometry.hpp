@@ -23,7 +23,7 @@ struct FileOrder {
 };
 
 /// One vector over owned vertices as a row x y z a vertex.
-parallel::RowMatrix by_vertex(const petsc::ConstTallRef& u);
+parallel::RowMatrix by_vertex(mesh::VertexRef u);
 
 /// All vertices and solid cells, or the surface's vertices and faces. *Collective*.
 FileOrder file_order(const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials, config::StoredRows rows);

@@ -59,7 +59,7 @@ ReducedBasis reduce_basis(const config::Config& config, const stages::Problem& p
   return {std::move(basis.U), std::move(basis.reduction), std::move(basis.figures)};
 }
 
-ReducedPolynomial reduce_forces(const config::Config& config, const stages::Problem& problem, const petsc::Tall& u,
+ReducedPolynomial reduce_forces(const config::Config& config, const stages::Problem& problem, const mesh::VertexRows& u,
                                 Progress& progress) {
   if (config.forces == config::ReducedForces::none) return {};
   if (u.cols() > stages::most_coordinates)

@@ -12,7 +12,7 @@ namespace ritz::app {
 
 /// The basis U, rows of free degrees of freedom: the modes themselves where no basis was asked for.
 struct ReducedBasis {
-  petsc::Tall U;
+  mesh::FreeRows U;
   std::optional<model::Reduction> reduction;
   stages::Figures figures;
 };
@@ -29,7 +29,7 @@ ReducedBasis reduce_basis(const config::Config& config, const stages::Problem& p
                           Progress& progress);
 
 /// `u`: the basis over owned vertices. Throws NumericalError when the witness fails. *Collective*.
-ReducedPolynomial reduce_forces(const config::Config& config, const stages::Problem& problem, const petsc::Tall& u,
+ReducedPolynomial reduce_forces(const config::Config& config, const stages::Problem& problem, const mesh::VertexRows& u,
                                 Progress& progress);
 
 /// What they came to, for people; empty for a linear model.

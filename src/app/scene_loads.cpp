@@ -87,7 +87,7 @@ std::string SceneProbes::header() const {
   return text;
 }
 
-Eigen::VectorXd SceneProbes::at(const petsc::ConstTallRef& u) const {
+Eigen::VectorXd SceneProbes::at(mesh::VertexRef u) const {
   Eigen::VectorXd values = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(probes_.size()));
   for (std::size_t p = 0; p < probes_.size(); ++p)
     for (const int v : probes_[p].vertices)

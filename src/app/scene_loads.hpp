@@ -21,7 +21,7 @@ class SceneProbes {
 
   std::string header() const;  ///< "t,NAME_ux,NAME_uy,NAME_uz,..."
   /// 3 a probe, m: a vertex's, or the plain mean over a set. `u`: rows of owned vertices. *Collective*.
-  Eigen::VectorXd at(const petsc::ConstTallRef& u) const;
+  Eigen::VectorXd at(mesh::VertexRef u) const;
 
  private:
   struct Probe {

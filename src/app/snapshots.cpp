@@ -131,7 +131,7 @@ petsc::Tall read_rows(const std::filesystem::path& file, const mesh::Mesh& mesh)
 
 }  // namespace
 
-petsc::Tall read_snapshots(const std::filesystem::path& file, const mesh::Mesh& mesh, const mesh::Dofs& dofs) {
+mesh::FreeRows read_snapshots(const std::filesystem::path& file, const mesh::Mesh& mesh, const mesh::Dofs& dofs) {
   petsc::Tall u;
   parallel::together(mesh.comm, [&] { u = read_rows(file, mesh); });
   return mesh::from_vertices(mesh, dofs, u);

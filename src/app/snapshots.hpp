@@ -12,7 +12,7 @@ namespace ritz::app {
 /// dataset /snapshots of an HDF5 file, such as ritz-full writes. A snapshot is a row of 3n numbers, x y z of each
 /// vertex in the mesh file's order (vertices that no cell uses left out). Throws InputError on all ranks for a file
 /// that is not so, vectors of another length, or numbers that are not finite. *Collective*.
-petsc::Tall read_snapshots(const std::filesystem::path& file, const mesh::Mesh& mesh, const mesh::Dofs& dofs);
+mesh::FreeRows read_snapshots(const std::filesystem::path& file, const mesh::Mesh& mesh, const mesh::Dofs& dofs);
 
 /// How many snapshots a file holds. Throws InputError on all ranks for what read_snapshots refuses but for the numbers.
 /// *Collective*.

@@ -154,16 +154,16 @@ Dofs number(const Mesh& mesh, const std::vector<Fixed>& supports, FileSupports f
   return dofs;
 }
 
-petsc::Tall to_vertices(const Mesh& mesh, const Dofs& dofs, const petsc::ConstTallRef& x) {
-  petsc::Tall u = petsc::Tall::Zero(components * mesh.owned, x.cols());
+VertexRows to_vertices(const Mesh& mesh, const Dofs& dofs, FreeRef x) {
+  VertexRows u = VertexRows::Zero(components * mesh.owned, x.cols());
   for (int v = 0; v < mesh.owned; ++v)
     for (int c = 0; c < components; ++c)
       if (!dofs.fixed(v, c)) u.row(components * v + c) = x.row(dofs.number(v, c) - dofs.first);
   return u;
 }
 
-petsc::Tall from_vertices(const Mesh& mesh, const Dofs& dofs, const petsc::ConstTallRef& u) {
-  petsc::Tall x(dofs.owned, u.cols());
+FreeRows from_vertices(const Mesh& mesh, const Dofs& dofs, VertexRef u) {
+  FreeRows x(dofs.owned, u.cols());
   for (int v = 0; v < mesh.owned; ++v)
     for (int c = 0; c < components; ++c)
       if (!dofs.fixed(v, c)) x.row(dofs.number(v, c) - dofs.first) = u.row(components * v + c);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ritz/mesh/mesh.hpp"
-#include "ritz/petsc/multivector.hpp"
+#include "ritz/mesh/rows.hpp"
 
 namespace ritz::mesh {
 
@@ -49,9 +49,9 @@ struct Dofs {
 Dofs number(const Mesh& mesh, const std::vector<Fixed>& supports, FileSupports file_supports);
 
 /// Rows of free degrees of freedom -> rows of owned vertices: 3 a vertex, zeros at fixed components.
-petsc::Tall to_vertices(const Mesh& mesh, const Dofs& dofs, const petsc::ConstTallRef& x);
+VertexRows to_vertices(const Mesh& mesh, const Dofs& dofs, FreeRef x);
 
 /// The other way: fixed components are left out.
-petsc::Tall from_vertices(const Mesh& mesh, const Dofs& dofs, const petsc::ConstTallRef& u);
+FreeRows from_vertices(const Mesh& mesh, const Dofs& dofs, VertexRef u);
 
 }  // namespace ritz::mesh

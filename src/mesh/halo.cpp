@@ -36,7 +36,7 @@ Halo::Halo(const Mesh& mesh) {
   }
 }
 
-void Halo::fill_ghosts(MPI_Comm comm, petsc::Tall& local, int numbers) const {
+void Halo::fill_ghosts(MPI_Comm comm, LocalRows& local, int numbers) const {
   const Eigen::Index width = numbers * local.cols();
   out_.resize(static_cast<std::size_t>(width * count(sent_)));
   in_.resize(static_cast<std::size_t>(width * count(received_)));
@@ -63,8 +63,8 @@ void Halo::fill_ghosts(MPI_Comm comm, petsc::Tall& local, int numbers) const {
         std::copy_n(next, numbers, &local(static_cast<Eigen::Index>(numbers) * v, j));
 }
 
-petsc::Tall with_ghosts(const Mesh& mesh, const petsc::ConstTallRef& u, int numbers) {
-  petsc::Tall local(static_cast<Eigen::Index>(numbers) * mesh.local_vertices(), u.cols());
+LocalRows with_ghosts(const Mesh& mesh, VertexRef u, int numbers) {
+  LocalRows local(static_cast<Eigen::Index>(numbers) * mesh.local_vertices(), u.cols());
   local.topRows(u.rows()) = u;
   mesh.halo.fill_ghosts(mesh.comm, local, numbers);
   return local;

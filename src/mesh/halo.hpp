@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "ritz/petsc/multivector.hpp"
+#include "ritz/mesh/rows.hpp"
 
 namespace ritz::mesh {
 
@@ -23,7 +23,7 @@ class Halo {
 
   /// Fills the rows of ghosts in `local` from their owners' rows: `numbers` rows a local vertex, any number of columns.
   /// The rows of owned vertices must be there. Allocates nothing once an exchange of this size was made. *Collective*.
-  void fill_ghosts(MPI_Comm comm, petsc::Tall& local, int numbers) const;
+  void fill_ghosts(MPI_Comm comm, LocalRows& local, int numbers) const;
 
  private:
   std::vector<SharedVertices> sent_;      ///< owned vertices that are ghosts of `rank`, in the order that it expects
@@ -34,6 +34,6 @@ class Halo {
 
 /// Rows of owned vertices, `numbers` a vertex -> rows of all local vertices: ghosts' values come from their owners.
 /// *Collective*.
-petsc::Tall with_ghosts(const Mesh& mesh, const petsc::ConstTallRef& u, int numbers);
+LocalRows with_ghosts(const Mesh& mesh, VertexRef u, int numbers);
 
 }  // namespace ritz::mesh

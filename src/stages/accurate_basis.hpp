@@ -6,8 +6,8 @@ namespace ritz::stages {
 
 /// Equilibria of the full model under growing loads. Columns are load levels, ascending; rows free degrees of freedom.
 struct StaticPath {
-  petsc::Tall loads;  ///< F, N
-  petsc::Tall truth;  ///< u with f(u) = F, m; no column is zero
+  mesh::FreeRows loads;  ///< F, N
+  mesh::FreeRows truth;  ///< u with f(u) = F, m; no column is zero
 };
 
 /// A basis by its size, and its error on a path: the largest ‖u − Uz‖_M / ‖u‖_M of a level, z the reduced model's own

@@ -77,7 +77,7 @@ void finish(const Problem& problem, const petsc::Tall& R, const petsc::ConstTall
 
 }  // namespace
 
-BasisResult basis(const Problem& problem, const ModesResult& modes, const petsc::ConstTallRef& snapshots,
+BasisResult basis(const Problem& problem, const ModesResult& modes, mesh::FreeRef snapshots,
                   const BasisOptions& options, const ModesProgress& progress) {
   const EnteringModes in = entering_modes(modes, options.modes);
   if (options.derivatives > in.values.size())
@@ -92,7 +92,7 @@ BasisResult basis(const Problem& problem, const ModesResult& modes, const petsc:
   return cut_basis(problem, modes, set, kept(set.principal, options.cut));
 }
 
-petsc::Tall canonical_directions(const Problem& problem, const Principal& set) {
+mesh::FreeRows canonical_directions(const Problem& problem, const Principal& set) {
   petsc::Tall Q = set.Q;
   make_canonical(problem.matrices.mass, set.sigma,
                  fixed_vectors(problem.mesh, problem.dofs, largest_group(set.sigma), direction_stream), Q);

@@ -17,7 +17,7 @@ struct BasisOptions {
 };
 
 struct BasisResult {
-  petsc::Tall U;  ///< rows of free degrees of freedom: UᵀMU = I, UᵀKU diagonal and ascending
+  mesh::FreeRows U;  ///< rows of free degrees of freedom: UᵀMU = I, UᵀKU diagonal and ascending
   model::Reduction reduction;
   std::vector<std::pair<std::string, double>> figures;  ///< for the report
 };
@@ -33,12 +33,12 @@ EnteringModes entering_modes(const ModesResult& modes, const std::vector<int>& c
 /// Derivatives are streamed: a block enters the decomposition and is dropped; `reduction.discarded` bounds all that U
 /// leaves out, what was never solved included. Throws InputError when the set has fewer independent directions than the
 /// cut asks for, NumericalError when a solve fails. *Collective*.
-BasisResult basis(const Problem& problem, const ModesResult& modes, const petsc::ConstTallRef& snapshots,
+BasisResult basis(const Problem& problem, const ModesResult& modes, mesh::FreeRef snapshots,
                   const BasisOptions& options, const ModesProgress& progress);
 
 /// The set's directions, those of equal σ turned as make_canonical does: a cut between them takes the same on any
 /// number of ranks. *Collective*.
-petsc::Tall canonical_directions(const Problem& problem, const Principal& set);
+mesh::FreeRows canonical_directions(const Problem& problem, const Principal& set);
 
 /// The basis of the first `columns` of them, finished as above. *Collective*.
 BasisResult cut_basis(const Problem& problem, const ModesResult& modes, const ScaledSet& set, int columns);

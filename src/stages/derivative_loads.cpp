@@ -112,8 +112,7 @@ void gradients_of(const fem::Matrix<E::vertices, 3>& shape, const Modal& u, doub
 
 /// The sums of one cell for all rows: 3 rows a vertex.
 template <class E>
-void cell_sums(const Cell<E>& cell, const petsc::ConstTallRef& local, const Rows& rows, Modal& u, Point& point,
-               Modal& sums) {
+void cell_sums(const Cell<E>& cell, mesh::LocalRef local, const Rows& rows, Modal& u, Point& point, Modal& sums) {
   for (int a = 0; a < E::vertices; ++a) u.block(3 * a, 0, 3, rows.modes) = local.middleRows<3>(3 * cell.vertex(a));
   // Differences from the first vertex: a cell that moves far as a whole is not strained.
   for (int a = E::vertices - 1; a >= 0; --a) u.middleRows<3>(3 * a) -= u.topRows<3>();
@@ -132,7 +131,7 @@ void cell_sums(const Cell<E>& cell, const petsc::ConstTallRef& local, const Rows
 }
 
 /// From lanes to pairs, and from owned vertices to free degrees of freedom.
-petsc::Tall columns_of_pairs(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Rows& rows, const Modal& sums) {
+mesh::FreeRows columns_of_pairs(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Rows& rows, const Modal& sums) {
   const auto pairs = pairs_of_rows(rows.first, rows.last, rows.modes);
   petsc::Tall b(dofs.owned, static_cast<Eigen::Index>(pairs.size()));
   std::vector<Eigen::Index> place(static_cast<std::size_t>(dofs.owned));
@@ -158,7 +157,7 @@ std::vector<Pair> pairs_of_rows(int first, int last, int modes) {
   return pairs;
 }
 
-petsc::Tall derivative_loads(const Problem& problem, const petsc::ConstTallRef& local, int first, int last) {
+mesh::FreeRows derivative_loads(const Problem& problem, mesh::LocalRef local, int first, int last) {
   const mesh::Mesh& mesh = problem.mesh;
   const Rows rows(first, last, static_cast<int>(local.cols()));
   const int width = padded(rows.modes);

@@ -21,6 +21,6 @@ std::vector<Pair> pairs_of_rows(int first, int last, int modes);
 ///
 /// `local`: the modes over all local vertices (mesh::with_ghosts), 3 rows a vertex. Each rank computes complete rows of
 /// its own vertices: nothing is communicated.
-petsc::Tall derivative_loads(const Problem& problem, const petsc::ConstTallRef& local, int first, int last);
+mesh::FreeRows derivative_loads(const Problem& problem, mesh::LocalRef local, int first, int last);
 
 }  // namespace ritz::stages

@@ -127,7 +127,7 @@ DerivativeCounts derivatives(const DerivativesSource& source, int columns, const
   const auto& [problem, found, flexible, rows] = source;
   const auto& [mesh, dofs, materials, matrices] = problem;
   const petsc::Tall rigid = rigid_modes(found);
-  const petsc::Tall local = mesh::with_ghosts(mesh, mesh::to_vertices(mesh, dofs, flexible), mesh::components);
+  const mesh::LocalRows local = mesh::with_ghosts(mesh, mesh::to_vertices(mesh, dofs, flexible), mesh::components);
   const InverseBound bound(problem, found);
   const double norm_K = one_norm(matrices.stiffness);
   const petsc::Tall massive = petsc::multiply(matrices.mass, rigid);

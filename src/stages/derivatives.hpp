@@ -11,7 +11,7 @@ namespace ritz::stages {
 /// A block of derivatives and the pairs that they belong to.
 struct DerivativeBlock {
   std::vector<Pair> pairs;
-  petsc::Tall columns;  ///< Φ_ij, rows of free degrees of freedom
+  mesh::FreeRows columns;  ///< Φ_ij, rows of free degrees of freedom
 };
 
 /// What became of the pairs.

@@ -39,7 +39,7 @@ petsc::Tall cubic_fields(const mesh::Mesh& mesh) {
 
 }  // namespace
 
-double elastic_scale(const Problem& problem, const petsc::ConstTallRef& rigid) {
+double elastic_scale(const Problem& problem, mesh::FreeRef rigid) {
   const auto& [mesh, dofs, materials, matrices] = problem;
   const auto pairs =
       rayleigh_ritz(matrices.stiffness, matrices.mass, rigid, mesh::from_vertices(mesh, dofs, cubic_fields(mesh)));

@@ -6,6 +6,6 @@ namespace ritz::stages {
 
 /// An upper bound on the lowest elastic eigenvalue λ, rad²/s²: Rayleigh-Ritz over displacement fields cubic in the
 /// coordinates, less the rigid motions `rigid` (M-orthonormal). *Collective*.
-double elastic_scale(const Problem& problem, const petsc::ConstTallRef& rigid);
+double elastic_scale(const Problem& problem, mesh::FreeRef rigid);
 
 }  // namespace ritz::stages

@@ -4,7 +4,7 @@
 
 namespace ritz::stages {
 
-petsc::Tall fixed_vectors(const mesh::Mesh& mesh, const mesh::Dofs& dofs, int columns, std::uint64_t stream) {
+mesh::FreeRows fixed_vectors(const mesh::Mesh& mesh, const mesh::Dofs& dofs, int columns, std::uint64_t stream) {
   petsc::Tall x(dofs.owned, columns);
   for (int v = 0; v < mesh.owned; ++v)
     for (int c = 0; c < mesh::components; ++c) {

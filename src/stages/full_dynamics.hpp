@@ -33,7 +33,8 @@ struct Energies {
 /// Everything that the next step depends on.
 struct DynamicState {
   double t = 0;
-  petsc::Tall u, v, a;  ///< m, m/s, m/s² over the free degrees of freedom; avf keeps the mean acceleration of its step
+  mesh::FreeRows u, v,
+      a;  ///< m, m/s, m/s² over the free degrees of freedom; avf keeps the mean acceleration of its step
   Energies energies;
 };
 

@@ -17,32 +17,32 @@ petsc::Tall spread(const Eigen::VectorXd& weights, const Eigen::Vector3d& f) {
 
 }  // namespace
 
-petsc::Tall shared_force(const mesh::Mesh& mesh, const mesh::Set& set, const Eigen::Vector3d& newton) {
+mesh::VertexRows shared_force(const mesh::Mesh& mesh, const mesh::Set& set, const Eigen::Vector3d& newton) {
   Eigen::VectorXd share = Eigen::VectorXd::Zero(mesh.owned);
   for (const int v : set.vertices)
     if (v < mesh.owned) share[v] = 1 / static_cast<double>(set.vertices_total);
   return spread(share, newton);
 }
 
-petsc::Tall vertex_force(const mesh::Mesh& mesh, mesh::Index id, const Eigen::Vector3d& newton) {
+mesh::VertexRows vertex_force(const mesh::Mesh& mesh, mesh::Index id, const Eigen::Vector3d& newton) {
   Eigen::VectorXd here = Eigen::VectorXd::Zero(mesh.owned);
   const auto end = mesh.ids.begin() + mesh.owned;
   if (const auto found = std::find(mesh.ids.begin(), end, id); found != end) here[found - mesh.ids.begin()] = 1;
   return spread(here, newton);
 }
 
-petsc::Tall traction_force(const mesh::Mesh& mesh, const mesh::Set& set, const Eigen::Vector3d& pascal) {
+mesh::VertexRows traction_force(const mesh::Mesh& mesh, const mesh::Set& set, const Eigen::Vector3d& pascal) {
   return spread(face_weights(mesh, set.faces).col(0), pascal);
 }
 
-petsc::Tall pressure_force(const mesh::Mesh& mesh, const mesh::Set& set, double pascal) {
+mesh::VertexRows pressure_force(const mesh::Mesh& mesh, const mesh::Set& set, double pascal) {
   const petsc::Tall weights = face_weights(mesh, set.faces);
   petsc::Tall force(mesh::components * mesh.owned, 1);
   for (int v = 0; v < mesh.owned; ++v) force.col(0).segment<3>(3 * v) = pascal * weights.row(v).tail<3>().transpose();
   return force;
 }
 
-petsc::Tall body_force(const mesh::Mesh& mesh, Mat scalar_mass, const Eigen::Vector3d& acceleration) {
+mesh::VertexRows body_force(const mesh::Mesh& mesh, Mat scalar_mass, const Eigen::Vector3d& acceleration) {
   return spread(petsc::multiply(scalar_mass, petsc::Tall::Ones(mesh.owned, 1)), acceleration);
 }
 

@@ -7,18 +7,18 @@
 namespace ritz::stages {
 
 /// A force shared equally by all vertices of the set, which must have some.
-petsc::Tall shared_force(const mesh::Mesh& mesh, const mesh::Set& set, const Eigen::Vector3d& newton);
+mesh::VertexRows shared_force(const mesh::Mesh& mesh, const mesh::Set& set, const Eigen::Vector3d& newton);
 
 /// A force on the vertex with the mesh file's own number `id`; zeros where another rank owns it.
-petsc::Tall vertex_force(const mesh::Mesh& mesh, mesh::Index id, const Eigen::Vector3d& newton);
+mesh::VertexRows vertex_force(const mesh::Mesh& mesh, mesh::Index id, const Eigen::Vector3d& newton);
 
 /// Consistent: ∫ N_a t dA. *Collective*.
-petsc::Tall traction_force(const mesh::Mesh& mesh, const mesh::Set& set, const Eigen::Vector3d& pascal);
+mesh::VertexRows traction_force(const mesh::Mesh& mesh, const mesh::Set& set, const Eigen::Vector3d& pascal);
 
 /// −p ∫ N_a n dA, positive pushes into the body. *Collective*.
-petsc::Tall pressure_force(const mesh::Mesh& mesh, const mesh::Set& set, double pascal);
+mesh::VertexRows pressure_force(const mesh::Mesh& mesh, const mesh::Set& set, double pascal);
 
 /// M g for the same acceleration g (m/s²) everywhere; `scalar_mass` as in Full. *Collective*.
-petsc::Tall body_force(const mesh::Mesh& mesh, Mat scalar_mass, const Eigen::Vector3d& acceleration);
+mesh::VertexRows body_force(const mesh::Mesh& mesh, Mat scalar_mass, const Eigen::Vector3d& acceleration);
 
 }  // namespace ritz::stages

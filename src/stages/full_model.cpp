@@ -15,14 +15,14 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-petsc::Tall local_vertices(const FullModel& model, const petsc::Tall& u) {
+mesh::LocalRows local_vertices(const FullModel& model, mesh::FreeRef u) {
   return mesh::with_ghosts(model.problem.mesh, mesh::to_vertices(model.problem.mesh, model.problem.dofs, u),
                            mesh::components);
 }
 
 /// ε Σ_q w (λ + 2μ) (1 + ‖∇u‖)² ‖u‖ ‖∇N‖ ‖∇N_a‖ onto each vertex a of a cell that this rank owns.
 template <class E>
-void add_rounding(const mesh::Mesh& mesh, const Cell<E>& cell, const petsc::Tall& local, Eigen::VectorXd& sums) {
+void add_rounding(const mesh::Mesh& mesh, const Cell<E>& cell, const mesh::LocalRows& local, Eigen::VectorXd& sums) {
   const fem::Coordinates<E> x = fem::relative<E>(cell.x), u = cell.gather(local, 0);
   const double largest = u.cwiseAbs().maxCoeff();
   for (const auto& sample : E::rule) {
@@ -45,22 +45,22 @@ FullModel full_model(const Problem& problem, petsc::LinearSolver solver) {
   return {problem, std::move(tangent), std::move(newton)};
 }
 
-EnergyAndForce energy_and_force(const FullModel& model, const petsc::Tall& u) {
+EnergyAndForce energy_and_force(const FullModel& model, mesh::FreeRef u) {
   const auto sums = internal_forces(model.problem, mesh::to_vertices(model.problem.mesh, model.problem.dofs, u));
   return {sums.energies[0], mesh::from_vertices(model.problem.mesh, model.problem.dofs, sums.forces)};
 }
 
-double force_rounding(const FullModel& model, const petsc::Tall& u) {
+double force_rounding(const FullModel& model, mesh::FreeRef u) {
   const mesh::Mesh& mesh = model.problem.mesh;
-  const petsc::Tall local = local_vertices(model, u);
+  const mesh::LocalRows local = local_vertices(model, u);
   Eigen::VectorXd sums = Eigen::VectorXd::Zero(mesh.owned);
   each_cell(mesh, model.problem.materials,
             [&]<class E>(const Cell<E>& cell) { add_rounding(mesh, cell, local, sums); });
   return std::sqrt(parallel::sum(mesh.comm, sums.squaredNorm()));
 }
 
-std::int64_t inverted_cells(const FullModel& model, const petsc::Tall& u) {
-  const petsc::Tall local = local_vertices(model, u);
+std::int64_t inverted_cells(const FullModel& model, mesh::FreeRef u) {
+  const mesh::LocalRows local = local_vertices(model, u);
   std::int64_t inverted = 0;
   each_owned_cell(model.problem.mesh, model.problem.materials, [&]<class E>(const Cell<E>& cell) {
     inverted += fem::turned_inside_out<E>(cell.x, cell.gather(local, 0));
@@ -68,9 +68,9 @@ std::int64_t inverted_cells(const FullModel& model, const petsc::Tall& u) {
   return parallel::sum(model.problem.mesh.comm, inverted);
 }
 
-double norm(const FullModel& model, const petsc::Tall& x) { return std::sqrt(dot(model, x, x)); }
+double norm(const FullModel& model, mesh::FreeRef x) { return std::sqrt(dot(model, x, x)); }
 
-double dot(const FullModel& model, const petsc::Tall& x, const petsc::Tall& y) {
+double dot(const FullModel& model, mesh::FreeRef x, mesh::FreeRef y) {
   return petsc::inner(model.problem.mesh.comm, x, y)(0, 0);
 }
 

@@ -18,23 +18,23 @@ struct FullModel {
 FullModel full_model(const Problem& problem, petsc::LinearSolver solver);
 
 struct EnergyAndForce {
-  double energy;      ///< J
-  petsc::Tall force;  ///< f(u) = dE/du, N
+  double energy;         ///< J
+  mesh::FreeRows force;  ///< f(u) = dE/du, N
 };
 
 /// *Collective*.
-EnergyAndForce energy_and_force(const FullModel& model, const petsc::Tall& u);
+EnergyAndForce energy_and_force(const FullModel& model, mesh::FreeRef u);
 
 /// What rounding can make of ‖f(u)‖, N: u known to ε times its largest component in a cell, through the cell's
 /// stiffness. *Collective*.
-double force_rounding(const FullModel& model, const petsc::Tall& u);
+double force_rounding(const FullModel& model, mesh::FreeRef u);
 
 /// Cells that are turned inside out somewhere: det F ≤ 0 at a point of the element's rule. *Collective*.
-std::int64_t inverted_cells(const FullModel& model, const petsc::Tall& u);
+std::int64_t inverted_cells(const FullModel& model, mesh::FreeRef u);
 
 /// ‖x‖₂. *Collective*.
-double norm(const FullModel& model, const petsc::Tall& x);
+double norm(const FullModel& model, mesh::FreeRef x);
 /// x·y. *Collective*.
-double dot(const FullModel& model, const petsc::Tall& x, const petsc::Tall& y);
+double dot(const FullModel& model, mesh::FreeRef x, mesh::FreeRef y);
 
 }  // namespace ritz::stages

@@ -7,7 +7,7 @@
 namespace ritz::stages {
 
 /// The dead load at load fraction (or time) t, N over the free degrees of freedom. *Collective*.
-using LoadAt = std::function<petsc::Tall(double t)>;
+using LoadAt = std::function<mesh::FreeRows(double t)>;
 
 struct StaticOptions {
   int steps = 1;             ///< load fractions 1/steps, 2/steps, ... 1
@@ -16,7 +16,7 @@ struct StaticOptions {
 
 struct StaticState {
   double fraction = 0;
-  petsc::Tall u;  ///< m
+  mesh::FreeRows u;  ///< m
   double energy = 0;
 };
 

@@ -17,7 +17,7 @@ Eigen::Vector3d middle(const mesh::Mesh& mesh) {
 
 }  // namespace
 
-model::Inertia inertia(const mesh::Mesh& mesh, Mat scalar_mass, const petsc::ConstTallRef& u) {
+model::Inertia inertia(const mesh::Mesh& mesh, Mat scalar_mass, mesh::VertexRef u) {
   const Eigen::Vector3d origin = middle(mesh);
   const Eigen::Index r = u.cols(), n = mesh.owned;
   petsc::Tall B(n, 4 + 3 * r);

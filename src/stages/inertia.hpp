@@ -8,6 +8,6 @@ namespace ritz::stages {
 
 /// G = Bᵀ M_s B with B = [1, X, Y, Z, U_x, U_y, U_z], coordinates relative to the middle of the bounding box.
 /// `u`: the basis over owned vertices, 3 rows a vertex, zeros at fixed components. *Collective*.
-model::Inertia inertia(const mesh::Mesh& mesh, Mat scalar_mass, const petsc::ConstTallRef& u);
+model::Inertia inertia(const mesh::Mesh& mesh, Mat scalar_mass, mesh::VertexRef u);
 
 }  // namespace ritz::stages

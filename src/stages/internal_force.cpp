@@ -9,7 +9,7 @@ namespace ritz::stages {
 namespace {
 
 template <class E>
-void add_cell(const mesh::Mesh& mesh, const Cell<E>& cell, const petsc::Tall& local, InternalForces& sums) {
+void add_cell(const mesh::Mesh& mesh, const Cell<E>& cell, const mesh::LocalRows& local, InternalForces& sums) {
   for (Eigen::Index j = 0; j < local.cols(); ++j) {
     const auto [energy, force] = fem::energy_and_force<E>(cell.x, cell.gather(local, j), cell.material);
     if (cell.owned) sums.energies[j] += energy;
@@ -20,10 +20,10 @@ void add_cell(const mesh::Mesh& mesh, const Cell<E>& cell, const petsc::Tall& lo
 
 }  // namespace
 
-InternalForces internal_forces(const Problem& problem, const petsc::ConstTallRef& u) {
+InternalForces internal_forces(const Problem& problem, mesh::VertexRef u) {
   const mesh::Mesh& mesh = problem.mesh;
-  const petsc::Tall local = mesh::with_ghosts(mesh, u, mesh::components);
-  InternalForces sums{Eigen::VectorXd::Zero(u.cols()), petsc::Tall::Zero(u.rows(), u.cols())};
+  const mesh::LocalRows local = mesh::with_ghosts(mesh, u, mesh::components);
+  InternalForces sums{Eigen::VectorXd::Zero(u.cols()), mesh::VertexRows::Zero(u.rows(), u.cols())};
   each_cell(mesh, problem.materials, [&]<class E>(const Cell<E>& cell) { add_cell(mesh, cell, local, sums); });
   parallel::sum_in_place(mesh.comm, sums.energies);
   return sums;

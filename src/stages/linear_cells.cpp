@@ -41,20 +41,21 @@ const fem::StVK& material_of(const mesh::Mesh& mesh, const std::vector<fem::StVK
 
 int octave(const fem::StVK& material) { return std::ilogb(material.young); }
 
-/// Strains at local vertices, k columns a mode: xx yy zz in `normal`, xy yz zx in `shear`.
-struct Recovered {
-  petsc::Tall normal, shear;
+/// Strains at vertices, a column a mode: xx yy zz in `normal`, xy yz zx in `shear`.
+template <class Rows>
+struct Strains {
+  Rows normal, shear;
   Strain at(int vertex, Index mode) const {
     Strain e;
-    e << normal.col(mode).segment<3>(3 * vertex), shear.col(mode).segment<3>(3 * vertex);
+    e << normal.col(mode).template segment<3>(3 * vertex), shear.col(mode).template segment<3>(3 * vertex);
     return e;
   }
 };
 
 /// Adds volume times strain of one cell, as it is at each of its vertices.
 template <class E>
-void add_strains(const mesh::Mesh& mesh, const Cell<E>& cell, const petsc::Tall& local, Recovered& sums,
-                 Eigen::VectorXd& volumes) {
+void add_strains(const mesh::Mesh& mesh, const Cell<E>& cell, const mesh::LocalRows& local,
+                 Strains<mesh::VertexRows>& sums, Eigen::VectorXd& volumes) {
   const fem::Coordinates<E> x = fem::relative<E>(cell.x);
   const double volume = fem::volume<E>(x);
   for (int a = 0; a < E::vertices; ++a) {
@@ -78,11 +79,14 @@ void visit_linear(const mesh::Mesh& mesh, const std::vector<fem::StVK>& material
   });
 }
 
+using Recovered = Strains<mesh::LocalRows>;
+
 /// ε* over the cells of one octave of stiffness. *Collective*.
 Recovered recover(const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials, const std::vector<int>& cells,
-                  const petsc::Tall& local) {
+                  const mesh::LocalRows& local) {
   Eigen::VectorXd volumes = Eigen::VectorXd::Zero(mesh.owned);
-  Recovered sums{petsc::Tall::Zero(3 * mesh.owned, local.cols()), petsc::Tall::Zero(3 * mesh.owned, local.cols())};
+  const petsc::Tall zeros = petsc::Tall::Zero(3 * mesh.owned, local.cols());
+  Strains<mesh::VertexRows> sums{zeros, zeros};
   for (const int c : cells)
     visit_linear(mesh, materials, c,
                  [&]<class E>(const Cell<E>& cell) { add_strains(mesh, cell, local, sums, volumes); });
@@ -98,7 +102,7 @@ Recovered recover(const mesh::Mesh& mesh, const std::vector<fem::StVK>& material
 using ModeSums = Eigen::Array3Xd;
 
 template <class E>
-void add_errors(const Cell<E>& cell, const petsc::Tall& local, const Recovered& recovered, ModeSums& sums) {
+void add_errors(const Cell<E>& cell, const mesh::LocalRows& local, const Recovered& recovered, ModeSums& sums) {
   constexpr bool tetrahedron = E::type == fem::CellType::tet4;
   constexpr auto& rule = []() -> auto& {
     if constexpr (tetrahedron) return E::mass_rule;  // its one point of stiffness sees nothing of ε* − ε
@@ -150,7 +154,7 @@ std::string percent(double error) { return shown(std::round(100 * error)) + (err
 }  // namespace
 
 std::vector<LinearCellsError> linear_cells_errors(const Problem& problem, const Eigen::VectorXd& lambda,
-                                                  const petsc::ConstTallRef& u) {
+                                                  mesh::VertexRef u) {
   const mesh::Mesh& mesh = problem.mesh;
   const auto& materials = problem.materials;
   std::map<int, std::vector<int>> cells;  // by octave of stiffness, in the file's order
@@ -158,7 +162,7 @@ std::vector<LinearCellsError> linear_cells_errors(const Problem& problem, const 
   for (const int c : mesh.cells.file_order)
     if (is_linear(mesh.cells.types[static_cast<std::size_t>(c)]))
       cells[octave(material_of(mesh, materials, c))].push_back(c);
-  const petsc::Tall local = mesh::with_ghosts(mesh, u, mesh::components);
+  const mesh::LocalRows local = mesh::with_ghosts(mesh, u, mesh::components);
   Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(3, u.cols());
   for (const auto& [key, alike] : cells) {
     const Recovered recovered = recover(mesh, materials, alike, local);

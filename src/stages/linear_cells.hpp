@@ -25,7 +25,7 @@ struct LinearCellsError {
 
 /// Of each mode, by λ and displacements `u` (M-normalised; rows of owned vertices, 3 a vertex). *Collective*.
 std::vector<LinearCellsError> linear_cells_errors(const Problem& problem, const Eigen::VectorXd& lambda,
-                                                  const petsc::ConstTallRef& u);
+                                                  mesh::VertexRef u);
 
 /// A sentence on the lowest flexible modes (at most six, up to four times the first frequency), or nothing: where a
 /// frequency is estimated to be a quarter too high, or a tenth and less than 2.6 cells lie across what bends.

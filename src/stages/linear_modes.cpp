@@ -226,7 +226,7 @@ void check_rigid_energies(const model::Modes& modes, Index rigid) {
 
 }  // namespace
 
-ModesResult linear_modes(const Problem& body, const ModesOptions& options, const petsc::ConstTallRef& earlier,
+ModesResult linear_modes(const Problem& body, const ModesOptions& options, mesh::FreeRef earlier,
                          const ModesProgress& progress) {
   const petsc::Tall rigid = rigid_modes(body);
   const EigenProblem problem{body, rigid, one_norm(body.matrices.stiffness)};

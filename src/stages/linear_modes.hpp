@@ -32,7 +32,7 @@ struct ModesOptions {
 
 struct ModesResult {
   model::Modes modes;
-  petsc::Tall vectors;  ///< rows of free degrees of freedom, a column each mode
+  mesh::FreeRows vectors;  ///< rows of free degrees of freedom, a column each mode
   Strategy strategy = Strategy::direct;
   int iterations = 0;
   Inverse inverse;                 ///< empty where it is spent
@@ -59,7 +59,7 @@ using ModesProgress = std::function<void(const std::string& what, double fractio
 /// with GAMG, the rigid motions its near-null space; not certified. `earlier`: modes of an earlier run of the same
 /// problem, or no columns. Throws NumericalError when fewer modes converge than were asked for, a residual is above
 /// its gate, or ΨᵀMΨ differs from I by more than 1e-12. *Collective*.
-ModesResult linear_modes(const Problem& problem, const ModesOptions& options, const petsc::ConstTallRef& earlier,
+ModesResult linear_modes(const Problem& problem, const ModesOptions& options, mesh::FreeRef earlier,
                          const ModesProgress& progress);
 
 }  // namespace ritz::stages

@@ -154,7 +154,7 @@ Eigen::VectorXd quartic(const Eigen::MatrixXd& gram, Index r) {
 
 }  // namespace
 
-model::Polynomial reduce_polynomial(const Problem& problem, const petsc::ConstTallRef& u) {
+model::Polynomial reduce_polynomial(const Problem& problem, mesh::VertexRef u) {
   const mesh::Mesh& mesh = problem.mesh;
   const RowMajor local = mesh::with_ghosts(mesh, u, mesh::components);
   const Index r = u.cols();

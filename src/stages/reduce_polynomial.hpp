@@ -14,6 +14,6 @@ inline constexpr int most_coordinates = 150;
 /// column i, Q_ij = sym(G_iᵀG_j), Q_ii = ½ G_iᵀG_i: linear in y = [z; (z_i z_j)_{i≤j}]. The energy is ½ yᵀ G y, and G
 /// is a sum of outer products, six a point, accumulated by `dsyrk`; then symmetrised, and summed once over the ranks.
 /// *Collective*.
-model::Polynomial reduce_polynomial(const Problem& problem, const petsc::ConstTallRef& u);
+model::Polynomial reduce_polynomial(const Problem& problem, mesh::VertexRef u);
 
 }  // namespace ritz::stages

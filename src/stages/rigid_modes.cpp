@@ -137,7 +137,7 @@ petsc::Tall evaluate(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Frame
 
 }  // namespace
 
-petsc::Tall rigid_motions(const mesh::Mesh& mesh, const mesh::Dofs& dofs) {
+mesh::FreeRows rigid_motions(const mesh::Mesh& mesh, const mesh::Dofs& dofs) {
   const Frames f = frames(mesh);
   const Eigen::MatrixXd joints = condensed(joint_rows(mesh, f)), supports = condensed(support_rows(mesh, dofs, f));
   Eigen::MatrixXd constraints(joints.rows() + supports.rows(), 6 * mesh.pieces);
@@ -145,7 +145,7 @@ petsc::Tall rigid_motions(const mesh::Mesh& mesh, const mesh::Dofs& dofs) {
   return evaluate(mesh, dofs, f, null_space(constraints));
 }
 
-petsc::Tall near_null_space(const mesh::Mesh& mesh, const mesh::Dofs& dofs) {
+mesh::FreeRows near_null_space(const mesh::Mesh& mesh, const mesh::Dofs& dofs) {
   Frames f = frames(mesh);
   Eigen::MatrixXd together = Eigen::MatrixXd::Zero(6 * mesh.pieces, 6);
   for (int p = 0; p < mesh.pieces; ++p) together.middleRows<6>(6 * p).setIdentity();

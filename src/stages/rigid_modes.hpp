@@ -11,10 +11,10 @@ namespace ritz::stages {
 ///
 /// The space is found in the 6 coordinates a piece: each shared vertex and each fixed degree of freedom is a row of a
 /// small matrix, whose null space (by SVD) it is. The columns are not yet orthonormal. *Collective*.
-petsc::Tall rigid_motions(const mesh::Mesh& mesh, const mesh::Dofs& dofs);
+mesh::FreeRows rigid_motions(const mesh::Mesh& mesh, const mesh::Dofs& dofs);
 
 /// The six motions of the body as a whole, whatever its pieces and supports: the near-null space that multigrid wants.
 /// *Collective*.
-petsc::Tall near_null_space(const mesh::Mesh& mesh, const mesh::Dofs& dofs);
+mesh::FreeRows near_null_space(const mesh::Mesh& mesh, const mesh::Dofs& dofs);
 
 }  // namespace ritz::stages

@@ -9,7 +9,7 @@ namespace {
 using Eigen::Index;
 
 /// Σ_v w_v u_v for each component: r x 3.
-Eigen::MatrixXd project(const mesh::Mesh& mesh, const petsc::ConstTallRef& u, const Eigen::VectorXd& weights) {
+Eigen::MatrixXd project(const mesh::Mesh& mesh, mesh::VertexRef u, const Eigen::VectorXd& weights) {
   Eigen::MatrixXd result(u.cols(), 3);
   for (int c = 0; c < 3; ++c) {
     const petsc::Tall component = u(Eigen::seqN(c, mesh.owned, 3), Eigen::all);
@@ -19,7 +19,7 @@ Eigen::MatrixXd project(const mesh::Mesh& mesh, const petsc::ConstTallRef& u, co
   return result;
 }
 
-void add_surface(const mesh::Mesh& mesh, const mesh::Set& set, const petsc::ConstTallRef& u, model::SetLoad& load) {
+void add_surface(const mesh::Mesh& mesh, const mesh::Set& set, mesh::VertexRef u, model::SetLoad& load) {
   const petsc::Tall weights = face_weights(mesh, set.faces);
   load.has_surface = true;
   load.area = parallel::sum(mesh.comm, weights.col(0).sum());
@@ -30,7 +30,7 @@ void add_surface(const mesh::Mesh& mesh, const mesh::Set& set, const petsc::Cons
 
 }  // namespace
 
-std::vector<model::SetLoad> set_loads(const mesh::Mesh& mesh, const petsc::ConstTallRef& u) {
+std::vector<model::SetLoad> set_loads(const mesh::Mesh& mesh, mesh::VertexRef u) {
   std::vector<model::SetLoad> loads;
   for (const auto& set : mesh.sets) {
     if (set.vertices_total == 0) continue;

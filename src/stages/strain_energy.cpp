@@ -10,7 +10,7 @@ namespace {
 
 /// Adds ∫ ε : C : ε of one cell for each column of `local` (3 rows a local vertex).
 template <class E>
-void add_cell(const Cell<E>& cell, const petsc::Tall& local, Eigen::VectorXd& sums) {
+void add_cell(const Cell<E>& cell, const mesh::LocalRows& local, Eigen::VectorXd& sums) {
   const fem::Coordinates<E> x = fem::relative<E>(cell.x);
   const double lambda = cell.material.lambda(), mu = cell.material.mu();
   for (const auto& sample : E::rule) {
@@ -25,9 +25,9 @@ void add_cell(const Cell<E>& cell, const petsc::Tall& local, Eigen::VectorXd& su
 
 }  // namespace
 
-Eigen::VectorXd strain_energies(const Problem& problem, const petsc::ConstTallRef& u) {
+Eigen::VectorXd strain_energies(const Problem& problem, mesh::VertexRef u) {
   const mesh::Mesh& mesh = problem.mesh;
-  const petsc::Tall local = mesh::with_ghosts(mesh, u, mesh::components);
+  const mesh::LocalRows local = mesh::with_ghosts(mesh, u, mesh::components);
   Eigen::VectorXd sums = Eigen::VectorXd::Zero(u.cols());
   each_owned_cell(mesh, problem.materials, [&]<class E>(const Cell<E>& cell) { add_cell(cell, local, sums); });
   parallel::sum_in_place(mesh.comm, sums);

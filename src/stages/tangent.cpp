@@ -18,7 +18,7 @@ struct Target {
 };
 
 template <class E>
-auto weighted_tangent(const Cell<E>& cell, const Eigen::VectorXd& weights, const petsc::Tall& local) {
+auto weighted_tangent(const Cell<E>& cell, const Eigen::VectorXd& weights, const mesh::LocalRows& local) {
   fem::Matrix<3 * E::vertices, 3 * E::vertices> K;
   K.setZero();
   for (Eigen::Index j = 0; j < weights.size(); ++j)
@@ -27,7 +27,7 @@ auto weighted_tangent(const Cell<E>& cell, const Eigen::VectorXd& weights, const
 }
 
 template <class E>
-void add_cell(const Target& to, const Cell<E>& cell, const Eigen::VectorXd& weights, const petsc::Tall& local) {
+void add_cell(const Target& to, const Cell<E>& cell, const Eigen::VectorXd& weights, const mesh::LocalRows& local) {
   const auto K = weighted_tangent(cell, weights, local);
   for (int a = 0; a < E::vertices; ++a) {
     const int row = cell.vertex(a);
@@ -48,10 +48,9 @@ Tangent empty_tangent(const Problem& problem) {
                                                              problem.dofs.block, petsc::Definite::semi)};
 }
 
-void fill_tangent(Tangent& tangent, const Problem& problem, const Eigen::VectorXd& weights,
-                  const petsc::ConstTallRef& u) {
+void fill_tangent(Tangent& tangent, const Problem& problem, const Eigen::VectorXd& weights, mesh::VertexRef u) {
   const mesh::Mesh& mesh = problem.mesh;
-  const petsc::Tall local = mesh::with_ghosts(mesh, u, mesh::components);
+  const mesh::LocalRows local = mesh::with_ghosts(mesh, u, mesh::components);
   petsc::Rows& rows = petsc::storage(tangent.matrix);
   for (petsc::Csr* part : {&rows.own, &rows.other}) std::fill(part->values.begin(), part->values.end(), 0.0);
   const Target to{tangent.pattern, rows, mesh, problem.dofs};

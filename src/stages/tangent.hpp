@@ -18,7 +18,6 @@ Tangent empty_tangent(const Problem& problem);
 /// and u_j the columns of `u` (m, rows of owned vertices, 3 a vertex). K(0) is assemble's stiffness. Each rank sums its
 /// complete rows from its own and its halo's cells, in the file's order: nothing but u at ghosts is communicated, and
 /// nothing is allocated in the matrix. *Collective*.
-void fill_tangent(Tangent& tangent, const Problem& problem, const Eigen::VectorXd& weights,
-                  const petsc::ConstTallRef& u);
+void fill_tangent(Tangent& tangent, const Problem& problem, const Eigen::VectorXd& weights, mesh::VertexRef u);
 
 }  // namespace ritz::stages

@@ -61,7 +61,7 @@ void require(const std::string& what, double error, double allowed) {
 
 }  // namespace
 
-Figures polynomial_witness(const Problem& problem, const petsc::ConstTallRef& u, const model::Polynomial& polynomial) {
+Figures polynomial_witness(const Problem& problem, mesh::VertexRef u, const model::Polynomial& polynomial) {
   const auto& [mesh, dofs, materials, matrices] = problem;
   const Eigen::MatrixXd z = samples(mesh, u);
   const petsc::Tall displaced = petsc::combine(u, z);
@@ -91,8 +91,7 @@ Figures polynomial_witness(const Problem& problem, const petsc::ConstTallRef& u,
   return {{"witness_force", force}, {"witness_energy", energy}, {"witness_stiffness", tangent}};
 }
 
-double taylor_slope(const DerivativesSource& source, const petsc::ConstTallRef& line,
-                    const petsc::ConstTallRef& curve) {
+double taylor_slope(const DerivativesSource& source, mesh::FreeRef line, mesh::FreeRef curve) {
   const auto& [problem, found, flexible, rows] = source;
   const auto& [mesh, dofs, materials, matrices] = problem;
   const petsc::Tall rigid = rigid_modes(found);

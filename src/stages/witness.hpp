@@ -15,13 +15,13 @@ using Figures = std::vector<std::pair<std::string, double>>;
 /// displacements are 1e-6 ... 1e2 times a tenth of the body's size (nine decades); relative errors, the largest of
 /// each. `u`: the basis over owned vertices. Throws NumericalError, naming the figure, where one is above 1e-11 and
 /// above what rounding of K u alone explains. *Collective*.
-Figures polynomial_witness(const Problem& problem, const petsc::ConstTallRef& u, const model::Polynomial& polynomial);
+Figures polynomial_witness(const Problem& problem, mesh::VertexRef u, const model::Polynomial& polynomial);
 
 /// The power of t with which ‖f(t ψ + t² φ) − t K ψ‖ falls over six halvings of t, without resultants where the body is
 /// free: 3 where φ = ½ Σ p_i p_j Φ_ij belongs to ψ = Σ p_i ψ_i (Eq. 17), and 2 for any other φ, zero included. The t
 /// are the smallest of those tried at which rounding does not hide the remainder; NaN where there are not enough.
 /// `line`: ψ, `curve`: φ, a column each. *Collective*.
-double taylor_slope(const DerivativesSource& source, const petsc::ConstTallRef& line, const petsc::ConstTallRef& curve);
+double taylor_slope(const DerivativesSource& source, mesh::FreeRef line, mesh::FreeRef curve);
 
 /// Throws NumericalError for a slope outside [2.9, 3.1], and for one that is not a number.
 void require_third_order(double slope);

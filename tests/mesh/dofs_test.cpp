@@ -14,6 +14,26 @@
 namespace ritz::mesh {
 namespace {
 
+// Rows of one kind are not taken for another: that does not compile.
+template <class U>
+concept OverFree = requires(const Mesh& mesh, const Dofs& dofs, const U& u) {
+  to_vertices(mesh, dofs, u);
+};
+template <class U>
+concept OverVertices = requires(const Mesh& mesh, const Dofs& dofs, const U& u) {
+  from_vertices(mesh, dofs, u);
+  with_ghosts(mesh, u, components);
+};
+template <class U>
+concept OverLocals = requires(const Mesh& mesh, U& u) {
+  mesh.halo.fill_ghosts(mesh.comm, u, components);
+};
+static_assert(OverFree<FreeRows> && !OverFree<VertexRows> && !OverFree<LocalRows>);
+static_assert(!OverVertices<FreeRows> && OverVertices<VertexRows> && !OverVertices<LocalRows>);
+static_assert(!OverLocals<FreeRows> && !OverLocals<VertexRows> && OverLocals<LocalRows>);
+static_assert(!std::is_assignable_v<FreeRows&, const VertexRows&>);
+static_assert(OverFree<petsc::Tall>, "what has no kind may become any");
+
 using namespace mesh::testing;
 using ::testing::AllOf;
 using ::testing::HasSubstr;

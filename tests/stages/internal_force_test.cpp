@@ -47,7 +47,7 @@ class Patch : public testing::TestWithParam<const char*> {
   }
 
   Problem body = problem(box(std::string("box:1,.8,.9/4,3,3/") + GetParam()), {}, {{1e5, .3, 1000}});
-  const mesh::Mesh& mesh = body.mesh;
+  mesh::Mesh& mesh = body.mesh;
 };
 
 TEST_P(Patch, InnerVerticesFeelNoForce) {

@@ -1,6 +1,5 @@
 // Faces of cells, and the consistent loads on them.
 #pragma once
-#include <Eigen/Geometry>
 #include <utility>
 
 #include "ritz/fem/cell.hpp"
@@ -75,28 +74,12 @@ struct Quad4 {
 /// p_a = ∫ N_a n dA, m², a column a vertex; exact, curved faces too. n points out of the cell when the vertices are in
 /// the order of fem::face_vertices: the forces of a pressure p that pushes into the body are -p p_a.
 template <class F>
-Coordinates<F> pressure_vectors(const Coordinates<F>& x) {
-  const Coordinates<F> r = x.colwise() - x.col(0);
-  Coordinates<F> p = Coordinates<F>::Zero();
-  for (const auto& [xi, weight] : F::rule) {
-    const Matrix<3, 2> J = r * F::gradient(xi);
-    p += weight * J.col(0).cross(J.col(1)) * F::shape(xi).transpose();
-  }
-  return p;
-}
+Coordinates<F> pressure_vectors(const Coordinates<F>& x);
 
 /// w_a = ∫ N_a dA, m²: the force of a traction t on vertex a is w_a t. Exact on plane faces (on warped ones the
 /// integrand has a root in it, and the rule has degree 5 or more).
 template <class F>
-Vector<F::vertices> traction_weights(const Coordinates<F>& x) {
-  const Coordinates<F> r = x.colwise() - x.col(0);
-  Vector<F::vertices> w = Vector<F::vertices>::Zero();
-  for (const auto& [xi, weight] : F::rule) {
-    const Matrix<3, 2> J = r * F::gradient(xi);
-    w += weight * J.col(0).cross(J.col(1)).norm() * F::shape(xi);
-  }
-  return w;
-}
+Vector<F::vertices> traction_weights(const Coordinates<F>& x);
 
 /// m².
 template <class F>

@@ -1,93 +1,36 @@
 // Sizes and shapes of cells, and the signs of bad ones. Lengths in m.
 #pragma once
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
-
 #include "ritz/fem/cell.hpp"
-#include "ritz/fem/strain.hpp"
+#include "ritz/fem/types.hpp"
 
 namespace ritz::fem {
 
 /// The exact volume ∫ det J, m³, negative for an inverted cell.
 template <class E>
-double volume(const Coordinates<E>& x) {
-  const Coordinates<E> origin_first = relative<E>(x);
-  double sum = 0;
-  for (const auto& [xi, weight] : E::mass_rule) sum += weight * jacobian<E>(origin_first, xi).determinant();
-  return sum;
-}
+double volume(const Coordinates<E>& x);
 
 /// The smallest det J over the points of the element's rule and its corners, m³ (of a straight tetrahedron six times
 /// its volume, of a box an eighth). Zero or less: the cell is inverted or folded, at a corner at least.
 template <class E>
-double smallest_jacobian(const Coordinates<E>& x) {
-  const Coordinates<E> origin_first = relative<E>(x);
-  double smallest = std::numeric_limits<double>::infinity();
-  const auto look = [&](const Point<3>& xi) {
-    smallest = std::min(smallest, jacobian<E>(origin_first, xi).determinant());
-  };
-  for (const auto& sample : E::rule) look(sample.xi);
-  for (int corner = 0; corner < shape(E::type).corners; ++corner) look(E::reference[corner]);
-  return smallest;
-}
+double smallest_jacobian(const Coordinates<E>& x);
 
 /// The same over the points of the rules for stiffness and mass alone: what the cell's integrals see. Zero or less:
 /// they mean nothing. A curved cell may be positive here and not at a corner, where a mid-edge vertex stands at the
 /// quarter of its edge.
 template <class E>
-double smallest_integrated_jacobian(const Coordinates<E>& x) {
-  const Coordinates<E> origin_first = relative<E>(x);
-  double smallest = std::numeric_limits<double>::infinity();
-  const auto look = [&](const Point<3>& xi) {
-    smallest = std::min(smallest, jacobian<E>(origin_first, xi).determinant());
-  };
-  for (const auto& sample : E::rule) look(sample.xi);
-  for (const auto& sample : E::mass_rule) look(sample.xi);
-  return smallest;
-}
+double smallest_integrated_jacobian(const Coordinates<E>& x);
 
 /// Whether displacements u turn the cell inside out: det(I + ∇u) <= 0 at a point of the element's rule.
 template <class E>
-bool turned_inside_out(const Coordinates<E>& x, const Coordinates<E>& u) {
-  const Coordinates<E> origin_first = relative<E>(x), relative_u = relative<E>(u);
-  return std::any_of(E::rule.begin(), E::rule.end(), [&](const auto& sample) {
-    const Matrix<3, 3> G = relative_u * physical_gradients<E>(origin_first, sample).gradients;
-    return (Matrix<3, 3>::Identity() + G).determinant() <= 0;
-  });
-}
+bool turned_inside_out(const Coordinates<E>& x, const Coordinates<E>& u);
 
 /// The shortest distance between two corners joined by an edge, m.
 template <class E>
-double shortest_edge(const Coordinates<E>& x) {
-  constexpr CellShape cell = shape(E::type);
-  constexpr int corners = shape(cell.face).corners;
-  double shortest = std::numeric_limits<double>::infinity();
-  for (int face = 0; face < cell.faces; ++face) {
-    const auto v = face_vertices(E::type, face);
-    for (int i = 0; i < corners; ++i) shortest = std::min(shortest, (x.col(v[i]) - x.col(v[(i + 1) % corners])).norm());
-  }
-  return shortest;
-}
+double shortest_edge(const Coordinates<E>& x);
 
 /// The smallest angle between two faces of the tetrahedron of the cell's corners, degrees: 70.53 at best, a few degrees
 /// for a sliver, whatever the orientation. Only for tetrahedra.
 template <class E>
-requires(shape(E::type).corners == 4) double smallest_dihedral(const Coordinates<E>& x) {
-  const Coordinates<E> r = relative<E>(x);
-  const auto normal = [&](int face) -> Vector<3> {
-    const auto v = face_vertices(E::type, face);
-    return (r.col(v[1]) - r.col(v[0])).cross(r.col(v[2]) - r.col(v[0]));
-  };
-  const double six_volumes = std::abs(r.col(1).cross(r.col(2)).dot(r.col(3)));
-  // Faces f and g share an edge; |n_f x n_g| = 6 V |edge| keeps small angles to full precision.
-  constexpr int shared[6][4] = {{0, 1, 0, 1}, {0, 2, 1, 2}, {0, 3, 0, 2}, {1, 2, 1, 3}, {1, 3, 0, 3}, {2, 3, 2, 3}};
-  double smallest = std::numbers::pi;
-  for (const auto& [f, g, i, j] : shared)
-    smallest = std::min(smallest, std::atan2(six_volumes * (r.col(j) - r.col(i)).norm(), -normal(f).dot(normal(g))));
-  return smallest * 180 / std::numbers::pi;
-}
+requires(shape(E::type).corners == 4) double smallest_dihedral(const Coordinates<E>& x);
 
 }  // namespace ritz::fem

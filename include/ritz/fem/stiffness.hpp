@@ -8,29 +8,6 @@ namespace ritz::fem {
 /// K = ∫ ∂²W/∂u² at u = 0 by the element's own rule, N/m, exactly symmetric; row 3a + i is component i of vertex a.
 /// Its blocks are K_ab = λ P + μ Pᵀ + μ tr(P) I with P = ∫ ∇N_a ∇N_bᵀ. Allocates nothing.
 template <class E>
-Matrix<3 * E::vertices, 3 * E::vertices> stiffness(const Coordinates<E>& x, const StVK& material) {
-  constexpr int n = E::vertices, points = static_cast<int>(E::rule.size());
-  const double lambda = material.lambda(), mu = material.mu();
-
-  const Coordinates<E> origin_first = relative<E>(x);
-  Matrix<3 * n, points> gradients, weighted;  // column q, rows 3a ... 3a+2: ∇N_a at point q
-  for (int q = 0; q < points; ++q) {
-    const auto [g, weight] = physical_gradients<E>(origin_first, E::rule[q]);
-    for (int a = 0; a < n; ++a) gradients.template block<3, 1>(3 * a, q) = g.row(a).transpose();
-    weighted.col(q) = weight * gradients.col(q);
-  }
-
-  Matrix<3 * n, 3 * n> K;
-  for (int b = 0; b < n; ++b)
-    for (int a = 0; a <= b; ++a) {
-      const Matrix<3, 3> P =
-          weighted.template middleRows<3>(3 * a).lazyProduct(gradients.template middleRows<3>(3 * b).transpose());
-      auto block = K.template block<3, 3>(3 * a, 3 * b);
-      block = lambda * P + mu * P.transpose();
-      block.diagonal().array() += mu * P.trace();
-    }
-  K.template triangularView<Eigen::StrictlyLower>() = K.transpose();
-  return K;
-}
+Matrix<3 * E::vertices, 3 * E::vertices> stiffness(const Coordinates<E>& x, const StVK& material);
 
 }  // namespace ritz::fem
