@@ -62,7 +62,8 @@ void measure(const char* text, int points) {
     std::printf("%-28s r = %2d  polynomial %6.2f s, %5.1f GF/s, dsyrk %5.1f GF/s: ratio %.2f\n", text, r, time,
                 rate / 1e9, dsyrk / 1e9, rate / dsyrk);
   }
-  const petsc::Tall modes = mesh::with_ghosts(mesh, stages::fixed_vectors(mesh, dofs, 20, 1), mesh::components);
+  const petsc::Tall modes = mesh::with_ghosts(
+      mesh, mesh::to_vertices(mesh, dofs, stages::fixed_vectors(mesh, dofs, 20, 1)), mesh::components);
   const auto pairs = stages::pairs_of_rows(0, 20, 20).size();
   const double time = seconds([&] { stages::derivative_loads(problem, modes, 0, 20); });
   std::printf("%-28s loads of %zu derivatives: %.3f us a cell and pair\n", text, pairs,
