@@ -24,7 +24,7 @@ struct Cell {
   int vertex(int a) const { return vertices[static_cast<std::size_t>(a)]; }
 
   /// The three numbers a vertex of column `j` of `local`, whose rows are of all local vertices, 3 each.
-  fem::Coordinates<E> gather(const mesh::LocalRows& local, Eigen::Index j) const {
+  fem::Coordinates<E> gather(mesh::LocalRef local, Eigen::Index j) const {
     fem::Coordinates<E> u;
     for (int a = 0; a < E::vertices; ++a) u.col(a) = local.col(j).template segment<3>(3 * vertex(a));
     return u;

@@ -74,7 +74,7 @@ TEST(EachCell, AllocatesNothing) {
   if (!test::counts_allocations()) GTEST_SKIP() << "nothing is counted under this sanitizer";
   for (const char* kind : {"tet4", "tet10", "hex8"}) {
     const auto mesh = test::box(std::string("box:3,1,1/6,2,2/") + kind);
-    const petsc::Tall local = petsc::Tall::Random(3 * mesh.local_vertices(), 1);
+    const mesh::LocalRows local = petsc::Tall::Random(3 * mesh.local_vertices(), 1);
     double energy = 0;
     const auto before = allocations();
     each_cell(mesh, materials, [&]<class E>(const Cell<E>& cell) {
