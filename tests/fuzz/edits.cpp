@@ -15,6 +15,10 @@
 #include "fuzz/target.hpp"
 #include "ritz/format/checksum.hpp"
 #include "ritz/format/schema.hpp"
+#include "support/unwatched.hpp"
+#ifdef RITZ_ADDRESS_SANITIZER
+#include <sanitizer/common_interface_defs.h>
+#endif
 
 namespace ritz::fuzz {
 namespace {
@@ -211,6 +215,9 @@ void edit(hid_t file, const Paths& paths, Choices& choices) {
 /// In a process of its own, since HDF5 itself crashes on some edits of what was edited before.
 [[noreturn]] void edit_and_exit(const std::filesystem::path& path, const Paths& paths, Choices choices) {
   for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGALRM}) signal(number, SIG_DFL);
+#ifdef RITZ_ADDRESS_SANITIZER
+  __sanitizer_set_death_callback([] { _exit(1); });  // what HDF5 does here is no finding that libFuzzer should keep
+#endif
   constexpr unsigned patience = 5;  // s
   alarm(patience);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);

@@ -1,13 +1,13 @@
-// Start of MPI in a program that looks for leaks.
+// Start of MPI in a program that looks for leaks. RITZ_ADDRESS_SANITIZER says that it does, with any compiler.
 #pragma once
 #ifdef __SANITIZE_ADDRESS__
-#define RITZ_LOOKS_FOR_LEAKS
+#define RITZ_ADDRESS_SANITIZER
 #elif defined(__has_feature)  // Clang's way to say it
 #if __has_feature(address_sanitizer)
-#define RITZ_LOOKS_FOR_LEAKS
+#define RITZ_ADDRESS_SANITIZER
 #endif
 #endif
-#ifdef RITZ_LOOKS_FOR_LEAKS
+#ifdef RITZ_ADDRESS_SANITIZER
 #include <sanitizer/lsan_interface.h>
 #endif
 
@@ -17,7 +17,7 @@ namespace ritz::test {
 /// tried out is theirs, and by the time of a search they are unloaded and have no name that could be suppressed.
 template <class Start>
 auto unwatched(Start start) {
-#ifdef RITZ_LOOKS_FOR_LEAKS
+#ifdef RITZ_ADDRESS_SANITIZER
   const __lsan::ScopedDisabler disabled;
 #endif
   return start();
