@@ -10,6 +10,16 @@
 #include "ritz/fem/strain.hpp"
 
 namespace ritz::fem {
+namespace {
+
+/// The least of `known` and det J at the points of a rule.
+template <class E>
+double smallest_over(const auto& rule, const Coordinates<E>& origin_first, double known) {
+  for (const auto& sample : rule) known = std::min(known, jacobian<E>(origin_first, sample.xi).determinant());
+  return known;
+}
+
+}  // namespace
 
 template <class E>
 double volume(const Coordinates<E>& x) {
@@ -22,25 +32,17 @@ double volume(const Coordinates<E>& x) {
 template <class E>
 double smallest_jacobian(const Coordinates<E>& x) {
   const Coordinates<E> origin_first = relative<E>(x);
-  double smallest = std::numeric_limits<double>::infinity();
-  const auto look = [&](const Point<3>& xi) {
-    smallest = std::min(smallest, jacobian<E>(origin_first, xi).determinant());
-  };
-  for (const auto& sample : E::rule) look(sample.xi);
-  for (int corner = 0; corner < shape(E::type).corners; ++corner) look(E::reference[corner]);
+  double smallest = smallest_over<E>(E::rule, origin_first, std::numeric_limits<double>::infinity());
+  for (int corner = 0; corner < shape(E::type).corners; ++corner)
+    smallest = std::min(smallest, jacobian<E>(origin_first, E::reference[corner]).determinant());
   return smallest;
 }
 
 template <class E>
 double smallest_integrated_jacobian(const Coordinates<E>& x) {
   const Coordinates<E> origin_first = relative<E>(x);
-  double smallest = std::numeric_limits<double>::infinity();
-  const auto look = [&](const Point<3>& xi) {
-    smallest = std::min(smallest, jacobian<E>(origin_first, xi).determinant());
-  };
-  for (const auto& sample : E::rule) look(sample.xi);
-  for (const auto& sample : E::mass_rule) look(sample.xi);
-  return smallest;
+  return smallest_over<E>(E::mass_rule, origin_first,
+                          smallest_over<E>(E::rule, origin_first, std::numeric_limits<double>::infinity()));
 }
 
 template <class E>
