@@ -91,8 +91,10 @@ Claim::Claim(Plan plan) : plan_(std::move(plan)) {
         throw InputError(outputs[i].said + " is a file that the run writes besides, as " + outputs[j].said +
                          ": choose another name");
   }
-  for (const auto& output : outputs) refuse_place(output);
   for (const auto& output : plan_.outputs) before_.push_back(version(output.path));
+  if (!plan_.outputs.empty())  // before the first file is made, as an interruption may come as soon as it is there
+    say_when_interrupted(outputs.front().path.string() + (before_.front() ? " is what it was" : " was not written"));
+  for (const auto& output : outputs) refuse_place(output);
   // What the run is for first, as that is the name to tell; the others in one order for all runs, so that of two that
   // share them one gets them all.
   auto sorted = outputs;
@@ -104,8 +106,6 @@ Claim::Claim(Plan plan) : plan_(std::move(plan)) {
     for (const int held : held_) ::close(held);
     throw;
   }
-  if (!plan_.outputs.empty())
-    say_when_interrupted(outputs.front().path.string() + (before_.front() ? " is what it was" : " was not written"));
 }
 
 Claim::~Claim() {

@@ -47,8 +47,18 @@ class Interrupts(InAFolder):
             deadline = time.monotonic() + 60
             while not list(self.folder.glob(f"{name}.*.part")):
                 self.assertLess(time.monotonic(), deadline)
-                time.sleep(.002)
         return wait
+
+    def test_as_soon_as_there_is_a_file(self):
+        """Also the one by which a run tries whether its folder takes files."""
+        self.reduce(*HELD, "-quiet")
+        self.write("scene.toml", SCENE.format(1e5))
+        before = self.files()
+        for _ in range(10):
+            self.assertEqual(self.interrupt(signal.SIGTERM, self.part("motion.h5"), BIN / "ritz-run", "model.h5", "--scene",
+                                            "scene.toml"),
+                             (-signal.SIGTERM, ["ritz-run: interrupted; motion.h5 was not written"]))
+            self.assertEqual(self.files(), before)
 
     def test_the_runtime(self):
         self.reduce(*HELD, "-quiet")
