@@ -38,10 +38,15 @@ std::uint64_t hash_of(const std::filesystem::path& file) {
 
 }  // namespace
 
-Checksums checksums(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const std::vector<fem::StVK>& materials) {
+Checksums checksums(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const fem::Materials& materials) {
   std::uint64_t h = split_mix(mesh.checksum ^ split_mix(dofs.checksum));
-  for (const auto& m : materials)
-    for (const double x : {m.young, m.poisson, m.density}) h = split_mix(h ^ std::bit_cast<std::uint64_t>(x));
+  const auto add = [&](double x) { h = split_mix(h ^ std::bit_cast<std::uint64_t>(x)); };
+  for (const auto& [law, density] : materials) {
+    if (const std::string_view name = fem::name(law); name != fem::default_law)  // which earlier models did not name
+      for (const char c : name) add(c);
+    for (const auto& [parameter, value] : fem::parameters(law)) add(value);
+    add(density);
+  }
   return {hexadecimal(mesh.checksum), hexadecimal(h)};
 }
 

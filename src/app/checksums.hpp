@@ -16,7 +16,7 @@ struct Checksums {
   std::string problem;  ///< these, the materials and what is fixed: modes depend on nothing else
 };
 
-Checksums checksums(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const std::vector<fem::StVK>& materials);
+Checksums checksums(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const fem::Materials& materials);
 
 /// Of the bytes of a file that rank 0 reads. Throws InputError when it cannot be read. *Collective*.
 std::string file_checksum(MPI_Comm comm, const std::filesystem::path& file);

@@ -90,7 +90,7 @@ FinishedBasis read_finished(const format::ModelReader& in, const mesh::Mesh& mes
 }  // namespace
 
 Earlier reuse(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
-              const std::vector<fem::StVK>& materials, const stages::ModesOptions& options, Progress& progress) {
+              const fem::Materials& materials, const stages::ModesOptions& options, Progress& progress) {
   Earlier earlier{petsc::Tall(dofs.owned, 0), {}};
   if (!config.reuse) return earlier;
   const Wanted now{checksums(mesh, dofs, materials), resolved(config, mesh, options.strategy), config.solver,

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "ritz/app/progress.hpp"
-#include "ritz/app/reduce.hpp"
+#include "ritz/app/reduced_parts.hpp"
 #include "ritz/config/config.hpp"
 #include "ritz/mesh/dofs.hpp"
 #include "ritz/petsc/multivector.hpp"
@@ -25,6 +25,6 @@ struct Earlier {
 /// where it is linear; its basis where the options that made it are those of this run. Nothing otherwise, with a
 /// warning that says why. Throws InputError for a file that is no model. *Collective*.
 Earlier reuse(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
-              const std::vector<fem::StVK>& materials, const stages::ModesOptions& options, Progress& progress);
+              const fem::Materials& materials, const stages::ModesOptions& options, Progress& progress);
 
 }  // namespace ritz::app

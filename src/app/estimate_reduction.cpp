@@ -2,7 +2,7 @@
 #include <limits>
 
 #include "ritz/app/estimate.hpp"
-#include "ritz/app/reduce.hpp"
+#include "ritz/app/reduced_parts.hpp"
 #include "ritz/app/snapshots.hpp"
 #include "ritz/base/counted.hpp"
 #include "ritz/fem/dispatch.hpp"

@@ -31,10 +31,10 @@ std::filesystem::path xdmf_path(std::filesystem::path path) {
   return path.replace_extension(".xdmf");
 }
 
-FullFile::FullFile(const std::filesystem::path& path, const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials,
+FullFile::FullFile(const std::filesystem::path& path, const mesh::Mesh& mesh, const fem::Materials& materials,
                    const FullPlan& plan)
     : comm_(mesh.comm),
-      order_(file_order(mesh, materials, config::StoredRows::all)),
+      order_(file_geometry(mesh, materials, config::StoredRows::all)),
       part_(comm_, path),
       frames_planned_(plan.frame_times.size()) {
   parallel::on_root(comm_, [&] {

@@ -15,7 +15,7 @@
 #include <map>
 #include <optional>
 
-#include "ritz/app/geometry.hpp"
+#include "ritz/app/file_geometry.hpp"
 #include "ritz/app/pending_file.hpp"
 #include "ritz/format/handle.hpp"
 
@@ -44,7 +44,7 @@ std::filesystem::path xdmf_path(std::filesystem::path path);
 class FullFile {
  public:
   /// Writes what does not move. Throws InputError when the files cannot be created. *Collective*.
-  FullFile(const std::filesystem::path& path, const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials,
+  FullFile(const std::filesystem::path& path, const mesh::Mesh& mesh, const fem::Materials& materials,
            const FullPlan& plan);
 
   /// The next frame, rows of owned vertices; as many as planned. *Collective*.
@@ -63,7 +63,7 @@ class FullFile {
   void write_vertices(const std::string& name, const parallel::RowMatrix& slice, const std::string& units);
 
   MPI_Comm comm_;
-  FileOrder order_;
+  FileGeometry order_;
   PendingFile part_;
   std::optional<PendingFile> xdmf_;
   std::size_t frames_planned_, frames_ = 0;

@@ -47,8 +47,15 @@ Extent reread(const Extent& extent, const mesh::Units& from, const mesh::Units& 
   return {extent.size * (to.length / from.length), extent.mass * (to.mass / from.mass)};
 }
 
+/// What of a material its size and its speed of sound depend on.
+struct Solid {
+  double young, density;
+};
+
+Solid solid(const fem::Material& material) { return {material.at_rest().young(), material.density}; }
+
 /// Of some systems the first in which the constants of a region and the body's extent are all plausible.
-std::optional<std::string> likely_units(std::initializer_list<const char*> systems, const fem::StVK& m,
+std::optional<std::string> likely_units(std::initializer_list<const char*> systems, const Solid& m,
                                         const Extent& extent, const mesh::Units& from) {
   for (const char* name : systems) {
     const auto to = mesh::parse_units(name);
@@ -73,7 +80,7 @@ std::vector<Unit> all_units(double system, std::initializer_list<Unit> others) {
 }
 
 /// "a Young's modulus in MPa": the one unit, or two, that the numbers given would be in if lengths are right.
-std::optional<std::string> likely_constants(const fem::StVK& m, const mesh::Units& from) {
+std::optional<std::string> likely_constants(const Solid& m, const mesh::Units& from) {
   for (const Unit& stress : all_units(from.pressure(), {{"Pa", 1}, {"MPa", 1e6}, {"GPa", 1e9}, {"psi", 6894.757}}))
     for (const Unit& density :
          all_units(from.density(),
@@ -86,11 +93,11 @@ std::optional<std::string> likely_constants(const fem::StVK& m, const mesh::Unit
   return std::nullopt;
 }
 
-std::string constants(const fem::StVK& m) {
+std::string constants(const Solid& m) {
   return "E = " + shown(m.young, 3) + " Pa and a density of " + shown(m.density, 3) + " kg/m3";
 }
 
-std::string unlikely_material(const mesh::Region& region, const fem::StVK& m, const Extent& extent,
+std::string unlikely_material(const mesh::Region& region, const Solid& m, const Extent& extent,
                               const mesh::Units& units) {
   const std::string what = "no solid has the constants of region '" + region.name + "', " + constants(m) +
                            " (a wave speed of " + shown(std::sqrt(m.young / m.density), 3) + " m/s)";
@@ -105,7 +112,7 @@ std::string unlikely_material(const mesh::Region& region, const fem::StVK& m, co
 
 }  // namespace
 
-Extent extent(const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials) {
+Extent extent(const mesh::Mesh& mesh, const fem::Materials& materials) {
   Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::max()), high = -low;
   for (int v = 0; v < mesh.owned; ++v) {
     low = low.cwiseMin(mesh.points.col(v));
@@ -132,16 +139,16 @@ std::string size_line(const Extent& extent, const model::Modes& modes) {
 }
 
 std::vector<std::string> unit_warnings(const Extent& extent, const std::vector<mesh::Region>& regions,
-                                       const std::vector<fem::StVK>& materials, const config::Config& config) {
+                                       const fem::Materials& materials, const config::Config& config) {
   const auto& units = config.source.units;
   const double length = extent.size.maxCoeff();
   for (std::size_t i = 0; i < materials.size(); ++i)
-    if (!possible(materials[i].young, materials[i].density))
-      return {unlikely_material(regions[i], materials[i], extent, units)};
+    if (const Solid m = solid(materials[i]); !possible(m.young, m.density))
+      return {unlikely_material(regions[i], m, extent, units)};
   const std::string body = "the body is " + shown(length, 3) + " m long and weighs " + shown(extent.mass, 3) + " kg";
   if (config.units == config::UnitsOf::nobody && extent.mass > most_mass)
     return {body + ": if its lengths are in millimetres, say -units mm-t-s, and the material in MPa and t/mm3 (" +
-            shown(materials[0].young * 1e-6, 3) + " and " + shown(materials[0].density * 1e-12, 3) +
+            shown(solid(materials[0]).young * 1e-6, 3) + " and " + shown(materials[0].density * 1e-12, 3) +
             "); if it is as large as that, say -units " + units.name};
   if (units.length == 1e-3 && length < shortest_of_millimetres)
     return {body + " with -units " + units.name + ": if its lengths are in metres, say -units m-kg-s"};

@@ -15,7 +15,7 @@ struct Extent {
 };
 
 /// *Collective*.
-Extent extent(const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials);
+Extent extent(const mesh::Mesh& mesh, const fem::Materials& materials);
 
 /// "size 1 x 0.1 x 0.06 m, mass 46.8 kg, first frequency 83.6 Hz": what tells a person that units were mixed up.
 std::string size_line(const Extent& extent, const model::Modes& modes);
@@ -24,6 +24,6 @@ std::string size_line(const Extent& extent, const model::Modes& modes);
 /// nobody stated weighs over 1000 t, one where a body stated in millimetres is under .3 mm long. Each names the units
 /// that would make the numbers plausible, where there are such.
 std::vector<std::string> unit_warnings(const Extent& extent, const std::vector<mesh::Region>& regions,
-                                       const std::vector<fem::StVK>& materials, const config::Config& config);
+                                       const fem::Materials& materials, const config::Config& config);
 
 }  // namespace ritz::app

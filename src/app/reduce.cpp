@@ -1,97 +1,118 @@
 #include "ritz/app/reduce.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
+#include "ritz/app/earlier.hpp"
+#include "ritz/app/export.hpp"
+#include "ritz/app/file_geometry.hpp"
+#include "ritz/app/frequencies.hpp"
+#include "ritz/app/full_start.hpp"
+#include "ritz/app/outputs.hpp"
+#include "ritz/app/plan.hpp"
+#include "ritz/app/plausible.hpp"
+#include "ritz/app/progress.hpp"
+#include "ritz/app/reduced_parts.hpp"
+#include "ritz/app/resources.hpp"
 #include "ritz/app/snapshots.hpp"
+#include "ritz/app/static_path.hpp"
+#include "ritz/app/warnings.hpp"
+#include "ritz/app/write_model.hpp"
+#include "ritz/base/counted.hpp"
 #include "ritz/base/error.hpp"
-#include "ritz/stages/reduce_polynomial.hpp"
+#include "ritz/parallel/guard.hpp"
+#include "ritz/stages/inertia.hpp"
+#include "ritz/stages/linear_cells.hpp"
+#include "ritz/stages/rigid_modes.hpp"
+#include "ritz/stages/set_loads.hpp"
 
 namespace ritz::app {
 namespace {
 
-double figure(const stages::Figures& figures, const std::string& name) {
-  for (const auto& [key, value] : figures)
-    if (key == name) return value;
-  return 0;
+std::string mesh_line(const mesh::Mesh& mesh, const mesh::Dofs& dofs) {
+  return counted(mesh.vertices_total, "vertex", "vertices") + ", " + counted(mesh.cells_total, "cell", "cells") + ", " +
+         counted(dofs.total, "degree of freedom", "degrees of freedom") + ", " +
+         counted(std::ssize(mesh.sets), "named set", "named sets");
 }
 
-template <class... Values>
-std::string line(const char* format, Values... values) {
-  char text[256];
-  std::snprintf(text, sizeof text, format, values...);
-  return text;
+void refuse_an_empty_model(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs) {
+  const bool nothing_asked = config.modes.count == 0 && !config.basis && config.exported == config::Export::nothing;
+  if (nothing_asked && stages::rigid_motions(mesh, dofs).cols() == 0)
+    throw InputError(
+        "option -modes 0: the body is held, so it has no rigid modes either, and the model would be empty; raise "
+        "-modes, or give -snapshots, whose basis needs none");
 }
 
-stages::Figures taylor(const stages::Problem& problem, const stages::ModesResult& modes,
-                       const std::vector<int>& chosen) {
-  const petsc::Tall entering = stages::entering_modes(modes, chosen).vectors;
-  return stages::taylor_witness({problem, modes, entering, static_cast<int>(entering.cols())});
-}
-
-stages::BasisResult accurate(const stages::Problem& problem, const stages::ModesResult& modes,
-                             const stages::StaticPath& path, double target, const stages::ModesProgress& progress) {
-  auto [basis, chosen] = stages::accurate_basis(problem, modes, path, target, progress);
-  basis.figures.insert(basis.figures.end(), {{"accuracy_target", target},
-                                             {"accuracy_error", chosen.error},
-                                             {"accuracy_modes", chosen.modes},
-                                             {"accuracy_columns", chosen.columns}});
-  return std::move(basis);
+void refuse_forces_without_polynomial(const config::Config& config, const mesh::Mesh& mesh,
+                                      const fem::Materials& materials) {
+  if (config.forces == config::ReducedForces::none) return;
+  for (std::size_t r = 0; r < materials.size(); ++r)
+    if (!fem::force_degree({materials[r]}))
+      throw InputError(std::string("option ") + (config.accuracy ? "-accuracy" : "-polynomial") + ": region '" +
+                       mesh.regions[r].name + "' is " + fem::name(materials[r].law) +
+                       ", whose forces are no polynomial; leave the option out, or give -material_law " +
+                       fem::default_law);
 }
 
 }  // namespace
 
-ReducedBasis reduce_basis(const config::Config& config, const stages::Problem& problem,
-                          const stages::ModesResult& modes, const std::optional<stages::StaticPath>& path,
-                          Progress& progress) {
-  if (!config.basis) return {modes.vectors, {}, {}};
-  petsc::Tall snapshots(problem.dofs.owned, 0);
-  if (config.snapshots) snapshots = read_snapshots(*config.snapshots, problem.mesh, problem.dofs);
-  const auto told = [&](const std::string& what, double fraction) { progress.update(what, fraction); };
-  auto basis = progress.stage("basis", [&] {
-    return path ? accurate(problem, modes, *path, config.accuracy->target, told)
-                : stages::basis(problem, modes, snapshots, *config.basis, told);
+void reduce(MPI_Comm comm, const config::Config& config) {
+  Progress progress(comm, config.voice);
+  const bool plan_alone = config.goal == config::Goal::plan;
+  const auto outputs = plan_alone ? claim_reports(comm, config) : claim_model(comm, config);
+  for (const auto& text : config.warnings) progress.warn(text);
+  const auto scene = config.accuracy ? std::optional(read_scene(comm, config.accuracy->scene)) : std::nullopt;
+  auto body = progress.stage("mesh", [&] { return mesh::read(comm, config.source); });
+  if (outputs) outputs->refuse_inputs(body.files);
+  auto numbering = mesh::number(body, config.supports, config.file_supports);
+  auto laws = config::region_materials(config, body.regions);
+  progress.line(mesh_line(body, numbering));
+  for (const auto& text : warnings(config, body, numbering, laws)) progress.warn(text);
+
+  refuse_an_empty_model(config, body, numbering);
+  refuse_forces_without_polynomial(config, body, laws);
+  const auto problem = progress.stage(
+      "assemble", [&] { return stages::assemble(std::move(body), std::move(numbering), std::move(laws)); });
+  const mesh::Mesh& mesh = problem.mesh;
+  const mesh::Dofs& dofs = problem.dofs;
+  const auto options = choose_strategy(config, dofs);
+  auto earlier = reuse(config, mesh, dofs, problem.materials, options, progress);
+  if (config.snapshots && !earlier.basis) count_snapshots(*config.snapshots, mesh);  // before the long work
+  if (plan_alone) return print_plan(config, problem, options, earlier, progress);
+  const auto path = earlier.basis ? std::nullopt : static_path(config, scene, problem, progress);
+  const auto modes = earlier.basis ? earlier.basis->modes : progress.stage("modes", [&] {
+    return stages::linear_modes(problem, options, earlier.modes,
+                                [&](const std::string& what, double fraction) { progress.update(what, fraction); });
   });
-  if (config.basis->derivatives > 0 || config.accuracy) {
-    const auto witness = progress.stage("witness", [&] { return taylor(problem, modes, config.basis->modes); });
-    basis.figures.insert(basis.figures.end(), witness.begin(), witness.end());
-  }
-  return {std::move(basis.U), std::move(basis.reduction), std::move(basis.figures)};
-}
+  for (const auto& text : modes.notes) progress.warn(text);
+  if (!earlier.basis)
+    for (const auto& text : stages::linear_cells_warning(problem, modes)) progress.warn(text);
 
-ReducedPolynomial reduce_forces(const config::Config& config, const stages::Problem& problem, const mesh::VertexRows& u,
-                                Progress& progress) {
-  if (config.forces == config::ReducedForces::none) return {};
-  if (u.cols() > stages::most_coordinates)
-    throw InputError("a polynomial of " + std::to_string(u.cols()) + " coordinates is too large (at most " +
-                     std::to_string(stages::most_coordinates) + "); give -basis R, such as -basis 30");
-  auto value = progress.stage("polynomial", [&] { return stages::reduce_polynomial(problem, u); });
-  auto witness = progress.stage("witness", [&] { return stages::polynomial_witness(problem, u, value); });
-  return {std::move(value), std::move(witness)};
-}
+  const auto reduced =
+      earlier.basis ? std::move(earlier.basis->reduced) : reduce_basis(config, problem, modes, path, progress);
+  if (const auto rigid = std::ranges::count(modes.modes.kinds, model::ModeKind::rigid); config.basis && rigid > 0)
+    progress.warn("the basis leaves out the body's " + counted(rigid, "rigid motion", "rigid motions") +
+                  ": the model neither falls nor flies, and ritz-run refuses loads that would make it");
+  const auto u = mesh::to_vertices(mesh, dofs, reduced.U);
+  const auto polynomial = reduce_forces(config, problem, u, progress);
+  const auto inertia =
+      progress.stage("inertia", [&] { return stages::inertia(mesh, problem.matrices.scalar_mass, u); });
+  const auto loads = progress.stage("loads", [&] { return stages::set_loads(mesh, u); });
+  std::vector<PendingFile> exported;
+  if (config.exported != config::Export::nothing)
+    progress.stage("export", [&] { exported = export_matrices(config, problem, modes.vectors); });
 
-std::string basis_lines(const ReducedBasis& basis, const ReducedPolynomial& polynomial, const model::Inertia& inertia) {
-  if (!basis.reduction) return "";
-  const auto& sigma = basis.reduction->singular_values;
-  std::string text = line("basis: %td columns; singular values %.3g ... %.3g of %td found, %.3g left out\n",
-                          basis.reduction->stiffness.size(), sigma[0], sigma[basis.reduction->stiffness.size() - 1],
-                          sigma.size(), basis.reduction->discarded);
-  const Eigen::RowVector3d masses = 100 / inertia.mass() * inertia.effective_masses().colwise().sum();
-  text += line("effective mass of the basis, all columns: %.2f %% %.2f %.2f\n", masses[0], masses[1], masses[2]);
-  if (const double pairs = figure(basis.figures, "derivative_pairs"); pairs > 0)
-    text += line("modal derivatives: %.0f pairs, %.0f solved, %.0f too small to matter; Taylor slope %.3f\n", pairs,
-                 figure(basis.figures, "derivatives_solved"), figure(basis.figures, "derivatives_skipped"),
-                 figure(basis.figures, "witness_taylor_slope"));
-  if (const double target = figure(basis.figures, "accuracy_target"); target > 0)
-    text +=
-        line("accuracy: %.0f columns of %.0f modes and their derivatives; error on the static path %.2e (%.2e asked)\n",
-             figure(basis.figures, "accuracy_columns"), figure(basis.figures, "accuracy_modes"),
-             figure(basis.figures, "accuracy_error"), target);
-  if (polynomial.value)
-    text += line("polynomial: %td quartic coefficients; against the full model: force %.1e, energy %.1e, K(0) %.1e\n",
-                 polynomial.value->quartic.size(), figure(polynomial.witness, "witness_force"),
-                 figure(polynomial.witness, "witness_energy"), figure(polynomial.witness, "witness_stiffness"));
-  return text;
+  progress.stage("write", [&] {
+    const auto order = file_geometry(mesh, problem.materials, config.rows);
+    auto figures = reduced.figures;
+    figures.insert(figures.end(), polynomial.witness.begin(), polynomial.witness.end());
+    write_model(config, mesh, dofs, problem.materials, order,
+                {modes, u, reduced.reduction, polynomial.value, inertia, loads, figures}, progress, *outputs, exported);
+  });
+  const auto of_modes =
+      stages::inertia(mesh, problem.matrices.scalar_mass, mesh::to_vertices(mesh, dofs, modes.vectors));
+  progress.line(size_line(extent(mesh, problem.materials), modes.modes) + "\n" + summary(modes.modes, of_modes) +
+                basis_lines(reduced, polynomial, inertia) + peak_memory_line(comm) + "\nwrote " +
+                config.output.string());
 }
 
 }  // namespace ritz::app

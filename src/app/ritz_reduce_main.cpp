@@ -1,6 +1,6 @@
 // ritz-reduce: from a mesh to a reduced model, on any number of ranks.
 #include "ritz/app/main_guard.hpp"
-#include "ritz/app/pipeline.hpp"
+#include "ritz/app/reduce.hpp"
 
 int main(int argc, char** argv) {
   return ritz::app::run_program(argc, argv, ritz::config::Program::reduce, ritz::app::reduce);

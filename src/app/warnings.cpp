@@ -13,12 +13,12 @@ namespace {
 constexpr double locking_poisson = 0.45;  ///< above it linear tetrahedra are visibly too stiff
 
 /// Linear tetrahedra cannot change shape at constant volume: nearly incompressible, they lock.
-bool locks(const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials) {
+bool locks(const mesh::Mesh& mesh, const fem::Materials& materials) {
   std::int32_t found = 0;
   for (int c = 0; c < mesh.cells.owned; ++c) {
     const auto i = static_cast<std::size_t>(c);
     if (mesh.cells.types[i] == fem::CellType::tet4 &&
-        materials[static_cast<std::size_t>(mesh.cells.regions[i])].poisson > locking_poisson)
+        materials[static_cast<std::size_t>(mesh.cells.regions[i])].at_rest().poisson() > locking_poisson)
       found = 1;
   }
   return parallel::max(mesh.comm, found) > 0;
@@ -31,7 +31,7 @@ bool free_by_default(const config::Config& config, const mesh::Mesh& mesh, const
 }  // namespace
 
 std::vector<std::string> warnings(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
-                                  const std::vector<fem::StVK>& materials) {
+                                  const fem::Materials& materials) {
   auto notes = mesh::warnings(mesh);
   if (locks(mesh, materials))
     notes.push_back(

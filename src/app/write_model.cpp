@@ -41,7 +41,7 @@ class ParallelAccess {
 };
 
 model::Provenance provenance(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
-                             const std::vector<fem::StVK>& materials, stages::Strategy strategy) {
+                             const fem::Materials& materials, stages::Strategy strategy) {
   const Checksums sums = checksums(mesh, dofs, materials);
   return {std::string("ritz-reduce ") + version,
           petsc::library_versions(),
@@ -67,7 +67,7 @@ model::Report report(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Resul
 }
 
 /// Column by column: all at once would be several copies of U, and more numbers than one message may have.
-void write_columns(format::ModelWriter& out, MPI_Comm comm, const FileOrder& order, const petsc::Tall& u) {
+void write_columns(format::ModelWriter& out, MPI_Comm comm, const FileGeometry& order, const petsc::Tall& u) {
   const auto source = [&](format::Index column, std::span<double> values) {
     const parallel::RowMatrix rows = order.to_file(comm, by_vertex(u.col(column)));
     std::copy(rows.data(), rows.data() + rows.size(), values.begin());
@@ -79,7 +79,7 @@ void write_columns(format::ModelWriter& out, MPI_Comm comm, const FileOrder& ord
 }  // namespace
 
 void write_model(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
-                 const std::vector<fem::StVK>& materials, const FileOrder& order, const Results& results,
+                 const fem::Materials& materials, const FileGeometry& order, const Results& results,
                  const Progress& progress, const Outputs& outputs, std::vector<PendingFile>& exported) {
   const ParallelAccess access(mesh.comm);
   format::ModelWriter out(config.output, access.access);

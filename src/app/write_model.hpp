@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "ritz/app/geometry.hpp"
+#include "ritz/app/file_geometry.hpp"
 #include "ritz/app/outputs.hpp"
 #include "ritz/app/pending_file.hpp"
 #include "ritz/app/progress.hpp"
@@ -26,7 +26,7 @@ struct Results {
 /// Writes the model and, beside it, the table of its frequencies; gives them and what was exported their names.
 /// *Collective*.
 void write_model(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
-                 const std::vector<fem::StVK>& materials, const FileOrder& order, const Results& results,
+                 const fem::Materials& materials, const FileGeometry& order, const Results& results,
                  const Progress& progress, const Outputs& outputs, std::vector<PendingFile>& exported);
 
 }  // namespace ritz::app

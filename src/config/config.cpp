@@ -16,9 +16,13 @@ namespace {
 constexpr double least_accuracy = 1e-6, most_accuracy = 0.5;
 
 MaterialOptions read_material(Database& options, const std::string& prefix) {
-  if (const auto law = options.text(prefix + "law"); law && *law != "stvk")
-    throw InputError("option -" + prefix + "law " + *law + ": no such law; the one there is is 'stvk'");
-  return {options.real(prefix + "young"), options.real(prefix + "poisson"), options.real(prefix + "density")};
+  std::optional<std::string> law;
+  if (options.has(prefix + "law")) {
+    const auto known = fem::law_names();
+    const std::vector<std::string> names(known.begin(), known.end());
+    law = names[options.choice(prefix + "law", names, 0)];
+  }
+  return {law, options.real(prefix + "young"), options.real(prefix + "poisson"), options.real(prefix + "density")};
 }
 
 /// Regions that have options of their own: -material_REGION_young and so on.

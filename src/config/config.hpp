@@ -21,6 +21,7 @@ namespace ritz::config {
 
 /// What the options say of a material; what they leave open is the mesh file's.
 struct MaterialOptions {
+  std::optional<std::string> law;                 ///< one of fem::law_names()
   std::optional<double> young, poisson, density;  ///< in the units of -units
 };
 
@@ -84,6 +85,6 @@ Config read_config(MPI_Comm comm, Given given, Program program = Program::reduce
 /// The material of each region in SI: -material_REGION_* over -material_* over the mesh file's own; '_' may stand for a
 /// blank in REGION, which may also name a larger volume that the region lies in. Throws InputError for a region without
 /// a complete or with an impossible material, and for a region that does not exist or that cannot be told from another.
-std::vector<fem::StVK> region_materials(const Config& config, const std::vector<mesh::Region>& regions);
+fem::Materials region_materials(const Config& config, const std::vector<mesh::Region>& regions);
 
 }  // namespace ritz::config

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "ritz/base/error.hpp"
 #include "ritz/base/nearest.hpp"
@@ -57,18 +58,19 @@ std::map<std::string, const MaterialOptions*> named_options(const Config& config
 
 using Constant = std::optional<double> MaterialOptions::*;
 
-/// What the options of a region's own name say of a constant, or else those of its parts: the smallest of nested ones,
-/// all alike of others. `word` names the constant.
-std::optional<double> own_value(const std::map<std::string, const MaterialOptions*>& options,
-                                const mesh::Region& region, Constant constant, const std::string& word) {
+/// What the options of a region's own name say of a member, or else those of its parts: the smallest of nested ones,
+/// all alike of others. `word` names the member.
+template <class Value>
+std::optional<Value> own_value(const std::map<std::string, const MaterialOptions*>& options, const mesh::Region& region,
+                               std::optional<Value> MaterialOptions::*member, const std::string& word) {
   const auto stated = [&](const std::string& name) {
     const auto found = options.find(name);
-    return found != options.end() ? found->second->*constant : std::nullopt;
+    return found != options.end() ? found->second->*member : std::nullopt;
   };
   const auto& parts = region.parts;
   const bool shared = region.overlap == mesh::Overlap::crossing;
   const bool own_name = std::find(parts.begin(), parts.end(), region.name) == parts.end();
-  std::optional<double> value;
+  std::optional<Value> value;
   if (own_name) value = stated(region.name);
   if (value) return value;
   for (const auto& part : parts) {
@@ -86,39 +88,58 @@ std::optional<double> own_value(const std::map<std::string, const MaterialOption
   return value;
 }
 
-void check(const fem::StVK& m, const std::string& region) {
-  const auto refuse = [&](const std::string& what, double value, const std::string& range) {
-    throw InputError("the " + what + " of region '" + region + "' is " + shown(value) + "; it must be " + range);
-  };
-  if (!(m.young > 0) || !std::isfinite(m.young)) refuse("Young's modulus", m.young, "positive");
-  if (!(m.poisson > -1 && m.poisson < 0.5)) refuse("Poisson's ratio", m.poisson, "above -1 and below 0.5");
-  if (!(m.density > 0) || !std::isfinite(m.density)) refuse("density", m.density, "positive");
+constexpr fem::Parameter density_of_mass = {"density", "density", "kg/m3", 0, std::numeric_limits<double>::infinity()};
+
+std::string range(const fem::Parameter& p) {
+  return std::isfinite(p.below) ? "above " + shown(p.above) + " and below " + shown(p.below) : "positive";
+}
+
+void check(const fem::Material& material, const std::string& region) {
+  auto all = fem::parameters(material.law);
+  all.push_back({density_of_mass, material.density});
+  for (const auto& given : all)
+    if (!given.possible())
+      throw InputError("the " + std::string(given.parameter.words) + " of region '" + region + "' is " +
+                       shown(given.value) + "; it must be " + range(given.parameter));
+}
+
+struct Place {
+  Constant option;
+  std::optional<double> mesh::FileMaterial::*of_file;
+  double factor;  ///< to SI
+};
+
+/// Where the value of a parameter is said.
+Place place(const fem::Parameter& parameter, const mesh::Units& units) {
+  const std::string_view name = parameter.name;
+  if (name == "young") return {&MaterialOptions::young, &mesh::FileMaterial::young, units.pressure()};
+  if (name == "poisson") return {&MaterialOptions::poisson, &mesh::FileMaterial::poisson, 1};
+  return {&MaterialOptions::density, &mesh::FileMaterial::density, units.density()};
 }
 
 }  // namespace
 
-std::vector<fem::StVK> region_materials(const Config& config, const std::vector<mesh::Region>& regions) {
-  static const std::map<std::string, std::string> names = {
-      {"young", "Young's modulus"}, {"poisson", "Poisson's ratio"}, {"density", "density"}};
+fem::Materials region_materials(const Config& config, const std::vector<mesh::Region>& regions) {
   const auto options = named_options(config, regions);
   const auto& units = config.source.units;
-  std::vector<fem::StVK> materials;
+  fem::Materials materials;
   for (const auto& region : regions) {
-    const auto value = [&](Constant member, double factor, const std::optional<double>& of_file,
-                           const std::string& word) {
+    const auto value = [&](const fem::Parameter& parameter) {
+      const std::string word = parameter.name;
+      const auto [member, of_file, factor] = place(parameter, units);
       if (const auto own = own_value(options, region, member, word)) return *own * factor;
       if (config.material.*member) return *(config.material.*member) * factor;
-      if (of_file) return *of_file;
+      if (region.material.*of_file) return *(region.material.*of_file);
       const auto options = "-material_" + word + " or -material_" + underscored(region.name) + "_" + word;
       const auto& unread = word == "density" ? region.material.unread_density : region.material.unread_law;
       if (!unread.empty()) throw InputError(unread + "; another can be put in its place by " + options);
       const bool bare = !region.material.young && !region.material.poisson && !region.material.density;
-      throw InputError("region '" + region.name + "' has no " + (bare ? "material" : names.at(word)) + ": give " +
+      throw InputError("region '" + region.name + "' has no " + (bare ? "material" : parameter.words) + ": give " +
                        options);
     };
-    materials.push_back({value(&MaterialOptions::young, units.pressure(), region.material.young, "young"),
-                         value(&MaterialOptions::poisson, 1, region.material.poisson, "poisson"),
-                         value(&MaterialOptions::density, units.density(), region.material.density, "density")});
+    const auto name = own_value(options, region, &MaterialOptions::law, "law");
+    const auto law = fem::make_law(name ? *name : config.material.law.value_or(fem::default_law), value);
+    materials.push_back({*law, value(density_of_mass)});
     check(materials.back(), region.name);
   }
   return materials;

@@ -5,9 +5,9 @@
 namespace ritz::fem {
 
 template <class E>
-Matrix<3 * E::vertices, 3 * E::vertices> stiffness(const Coordinates<E>& x, const StVK& material) {
+Matrix<3 * E::vertices, 3 * E::vertices> stiffness(const Coordinates<E>& x, const ElasticConstants& material) {
   constexpr int n = E::vertices, points = static_cast<int>(E::rule.size());
-  const double lambda = material.lambda(), mu = material.mu();
+  const double lambda = material.lambda, mu = material.mu;
 
   const Coordinates<E> origin_first = relative<E>(x);
   Matrix<3 * n, points> gradients, weighted;  // column q, rows 3a ... 3a+2: ∇N_a at point q
@@ -31,7 +31,7 @@ Matrix<3 * E::vertices, 3 * E::vertices> stiffness(const Coordinates<E>& x, cons
 }
 
 #define INSTANTIATE(E) \
-  template Matrix<3 * E::vertices, 3 * E::vertices> stiffness<E>(const Coordinates<E>&, const StVK&);
+  template Matrix<3 * E::vertices, 3 * E::vertices> stiffness<E>(const Coordinates<E>&, const ElasticConstants&);
 RITZ_ELEMENTS(INSTANTIATE)
 #undef INSTANTIATE
 

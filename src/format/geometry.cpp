@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 
 #include "read.hpp"
 #include "ritz/format/names.hpp"
@@ -40,22 +41,39 @@ void write_sets(const ModelWriter& out, const std::string& group, const std::vec
   }
 }
 
+/// A constant of laws, for all regions: 0 where a region's law has none of that name.
+struct Constant {
+  fem::Parameter parameter;
+  std::vector<double> values;
+};
+
+Constant& constant(std::vector<Constant>& all, const fem::Parameter& parameter, std::size_t regions) {
+  const auto found = std::ranges::find_if(
+      all, [&](const Constant& c) { return std::string_view(c.parameter.name) == parameter.name; });
+  if (found != all.end()) return *found;
+  return all.emplace_back(parameter, std::vector<double>(regions, 0));
+}
+
 void write_materials(const ModelWriter& out, const std::string& group,
                      const std::vector<model::RegionMaterial>& materials) {
   if (materials.empty()) return;
-  std::vector<std::string> regions;
-  std::vector<double> young, poisson, density;
-  for (const auto& [region, material] : materials) {
+  std::vector<std::string> regions, laws;
+  std::vector<double> density;
+  std::vector<Constant> constants;
+  for (std::size_t i = 0; i < materials.size(); ++i) {
+    const auto& [region, material] = materials[i];
     regions.push_back(region);
-    young.push_back(material.young);
-    poisson.push_back(material.poisson);
+    laws.emplace_back(fem::name(material.law));
     density.push_back(material.density);
+    for (const auto& [parameter, value] : fem::parameters(material.law))
+      constant(constants, parameter, materials.size()).values[i] = value;
   }
   const auto path = schema::join(group, schema::materials);
   create_group(out, path);
   write_texts(out, schema::join(path, schema::regions), regions);
-  write_vector<double>(out, schema::join(path, schema::young), "Pa", young);
-  write_vector<double>(out, schema::join(path, schema::poisson), "1", poisson);
+  write_texts(out, schema::join(path, schema::laws), laws);
+  for (const auto& [parameter, values] : constants)
+    write_vector<double>(out, schema::join(path, parameter.name), parameter.units, values);
   write_vector<double>(out, schema::join(path, schema::density), "kg/m^3", density);
 }
 
@@ -125,13 +143,22 @@ std::vector<model::RegionMaterial> read_materials(const ModelReader& in, const s
   if (!exists(in, path)) return materials;
   const auto regions = read_texts(in, schema::join(path, schema::regions));
   const auto count = static_cast<Index>(regions.size());
-  const auto young = read_vector<double>(in, schema::join(path, schema::young), count);
-  const auto poisson = read_vector<double>(in, schema::join(path, schema::poisson), count);
+  const auto of_laws = schema::join(path, schema::laws);  // since version 1.2
+  const auto laws =
+      exists(in, of_laws) ? read_texts(in, of_laws) : std::vector<std::string>(regions.size(), fem::default_law);
+  if (laws.size() != regions.size()) fail(in, of_laws, "has not one entry a region");
   const auto density = read_vector<double>(in, schema::join(path, schema::density), count);
+  std::map<std::string, std::vector<double>> constants;
   for (std::size_t i = 0; i < regions.size(); ++i) {
-    const bool sound = young[i] > 0 && density[i] > 0 && poisson[i] > -1 && poisson[i] < 0.5;
-    if (!sound) fail(in, path, "gives region '" + regions[i] + "' a material that cannot be");
-    materials.push_back({regions[i], {young[i], poisson[i], density[i]}});
+    const auto law = fem::make_law(laws[i], [&](const fem::Parameter& parameter) {
+      auto& values = constants[parameter.name];
+      if (values.empty()) values = read_vector<double>(in, schema::join(path, parameter.name), count);
+      return values[i];
+    });
+    if (!law) fail(in, of_laws, "gives region '" + regions[i] + "' the unknown law '" + laws[i] + "'");
+    if (!(density[i] > 0) || !std::ranges::all_of(fem::parameters(*law), &fem::ParameterValue::possible))
+      fail(in, path, "gives region '" + regions[i] + "' a material that cannot be");
+    materials.push_back({regions[i], {*law, density[i]}});
   }
   return materials;
 }

@@ -42,7 +42,7 @@ class Cutter {
       if (cell_owners_[c] != rank && touches(c, rank)) add_cell(part, c);
     add_vertices(part);
     add_faces(part, rank);
-    for (const auto& support : mesh_.supports) part.supports.push_back({present(support.vertices), support.components});
+    for (const auto& support : mesh_.supports) part.supports.push_back({present(support.vertices), support.held});
     for (const Index v : part.positions) local_[static_cast<std::size_t>(v)] = 0;
     return part;
   }
@@ -120,7 +120,7 @@ std::pair<Part, Shared> distribute(MPI_Comm comm, const FileMesh& mesh, Partitio
     shared.regions = mesh.regions;
     for (const auto& set : mesh.sets) shared.set_names.push_back(set.name);
     shared.pieces = topology.pieces;
-    shared.components = topology.components;
+    shared.connected_parts = topology.connected_parts;
     shared.hanging_faces = topology.hanging_faces;
     shared.joints = topology.joints;
     shared.notes = mesh.notes;

@@ -132,7 +132,7 @@ Dofs number(const Mesh& mesh, const std::vector<Fixed>& supports, FileSupports f
   Mask mask(components * static_cast<std::size_t>(mesh.local_vertices()), 0);
   for (const auto& support : supports) fix(mesh, support, mask);
   if (file_supports == FileSupports::used)
-    for (const auto& support : mesh.supports) fix(mask, support.vertices, support.components);
+    for (const auto& support : mesh.supports) fix(mask, support.vertices, support.held);
 
   Dofs dofs;
   dofs.comm = mesh.comm;

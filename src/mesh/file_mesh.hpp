@@ -53,7 +53,7 @@ struct NamedSet {
 /// Fixed components of some vertices, as the file itself states them (Abaqus *BOUNDARY).
 struct FileSupport {
   std::vector<Index> vertices;
-  std::array<bool, 3> components;
+  std::array<bool, 3> held;  ///< along x, y, z
 };
 
 /// All vertex numbers here are positions in `points` (0-based, the file's own order).

@@ -52,7 +52,7 @@ struct Set {
 
 struct Support {
   std::vector<int> vertices;  ///< local numbers
-  std::array<bool, 3> components;
+  std::array<bool, 3> held;   ///< along x, y, z
 };
 
 /// A vertex where several rigid pieces meet: the body can hinge there.
@@ -84,8 +84,8 @@ struct Mesh {
   std::vector<std::string> notes;            ///< what a careful user is told of the file
   std::vector<std::filesystem::path> files;  ///< rank 0: all that were read
 
-  int pieces = 0;      ///< parts connected through faces: rigid bodies of a mechanism
-  int components = 0;  ///< parts connected at all
+  int pieces = 0;           ///< parts connected through faces: rigid bodies of a mechanism
+  int connected_parts = 0;  ///< parts connected at all
   std::vector<Joint> joints;
   Index dropped_vertices = 0;  ///< in the file, in no cell
   Index hanging_faces = 0;     ///< of a Tet10 on a cell of straight edges, which its mid-edge vertices are no part of

@@ -159,11 +159,11 @@ Mesh number_part(MPI_Comm comm, Part part, Shared shared) {
   mesh.regions = std::move(shared.regions);
   mesh.notes = std::move(shared.notes);
   mesh.pieces = shared.pieces;
-  mesh.components = shared.components;
+  mesh.connected_parts = shared.connected_parts;
   mesh.joints = std::move(shared.joints);
   for (std::size_t s = 0; s < shared.set_names.size(); ++s)
     mesh.sets.push_back(make_set(mesh, shared.set_names[s], part.sets[s], local));
-  for (const auto& support : part.supports) mesh.supports.push_back({local(support.vertices), support.components});
+  for (const auto& support : part.supports) mesh.supports.push_back({local(support.vertices), support.held});
   mesh.checksum = checksum(mesh);
   return mesh;
 }

@@ -13,7 +13,7 @@ struct PartSet {
 
 struct PartSupport {
   std::vector<Index> vertices;
-  std::array<bool, 3> components;
+  std::array<bool, 3> held;  ///< along x, y, z
 };
 
 struct Part {
@@ -37,7 +37,7 @@ struct Shared {
   Index vertices_total = 0, cells_total = 0, dropped_vertices = 0, hanging_faces = 0;
   std::vector<Region> regions;
   std::vector<std::string> set_names;
-  int pieces = 1, components = 1;
+  int pieces = 1, connected_parts = 1;
   std::vector<Joint> joints;
   std::vector<std::string> notes;
 };

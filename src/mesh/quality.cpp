@@ -126,8 +126,8 @@ std::vector<std::string> warnings(const Mesh& mesh) {
     notes.push_back(counted(mesh.hanging_faces, "face joins", "faces join") +
                     " a tet10 to a tet4 or hex8: the mesh is not conforming there (mid-edge vertices hang), and cells "
                     "come apart or overlap; use cells of one order");
-  if (mesh.components > 1)
-    notes.push_back("the mesh falls into " + std::to_string(mesh.components) + " disconnected pieces");
+  if (mesh.connected_parts > 1)
+    notes.push_back("the mesh falls into " + std::to_string(mesh.connected_parts) + " disconnected pieces");
   else if (mesh.pieces > 1)
     notes.push_back("the mesh consists of " + std::to_string(mesh.pieces) +
                     " pieces that touch only in vertices or edges");

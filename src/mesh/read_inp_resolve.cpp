@@ -182,7 +182,7 @@ void resolve_boundary(Resolver& look, const InpBoundary& boundary) {
   if (vertices.empty() && look.model.words.insert("EMPTY SUPPORT").second)
     look.model.mesh.notes.push_back(located(look.sources, boundary.place) + "*BOUNDARY holds '" + boundary.target +
                                     "', which has no nodes: nothing is held by this line");
-  look.model.mesh.supports.push_back({.vertices = std::move(vertices), .components = boundary.components});
+  look.model.mesh.supports.push_back({.vertices = std::move(vertices), .held = boundary.components});
 }
 
 void refuse_structures(Resolver& look) {
@@ -200,7 +200,7 @@ void refuse_transforms(Resolver& look) {
   for (const auto& support : mesh.supports)
     for (const Index v : support.vertices)
       for (std::size_t i = 0; i < 3; ++i)
-        held[static_cast<std::size_t>(v)][i] = held[static_cast<std::size_t>(v)][i] || support.components[i];
+        held[static_cast<std::size_t>(v)][i] = held[static_cast<std::size_t>(v)][i] || support.held[i];
   const auto partly = [&](Index v) {
     const auto& h = held[static_cast<std::size_t>(v)];
     return (h[0] || h[1] || h[2]) && !(h[0] && h[1] && h[2]);

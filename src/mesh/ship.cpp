@@ -73,7 +73,7 @@ std::vector<std::int64_t> pack(const Part& part) {
   packer(static_cast<std::int64_t>(part.supports.size()));
   for (const auto& support : part.supports) {
     packer(support.vertices);
-    for (const bool fixed : support.components) packer(static_cast<std::int64_t>(fixed));
+    for (const bool fixed : support.held) packer(static_cast<std::int64_t>(fixed));
   }
   return std::move(packer.words);
 }
@@ -91,7 +91,7 @@ Part unpack(const std::vector<std::int64_t>& words) {
   part.supports.resize(static_cast<std::size_t>(unpacker.next()));
   for (auto& support : part.supports) {
     unpacker(support.vertices);
-    for (bool& fixed : support.components) unpacker(fixed);
+    for (bool& fixed : support.held) unpacker(fixed);
   }
   return part;
 }
@@ -126,14 +126,14 @@ Part receive_part(MPI_Comm comm, int from) {
 }
 
 void broadcast_shared(MPI_Comm comm, Shared& shared) {
-  std::vector<std::int64_t> counts = {shared.vertices_total, shared.cells_total, shared.dropped_vertices,
-                                      shared.pieces,         shared.components,  shared.hanging_faces};
+  std::vector<std::int64_t> counts = {shared.vertices_total, shared.cells_total,     shared.dropped_vertices,
+                                      shared.pieces,         shared.connected_parts, shared.hanging_faces};
   parallel::broadcast(comm, counts);
   shared.vertices_total = counts[0];
   shared.cells_total = counts[1];
   shared.dropped_vertices = counts[2];
   shared.pieces = static_cast<int>(counts[3]);
-  shared.components = static_cast<int>(counts[4]);
+  shared.connected_parts = static_cast<int>(counts[4]);
   shared.hanging_faces = counts[5];
   parallel::broadcast(comm, shared.set_names);
   parallel::broadcast(comm, shared.notes);

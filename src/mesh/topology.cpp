@@ -43,7 +43,7 @@ std::vector<CellFace> faces_of_set(const NamedSet& set, const MatchedFaces& matc
   return faces;
 }
 
-int count_components(const FileMesh& mesh) {
+int count_connected_parts(const FileMesh& mesh) {
   Groups groups(mesh.points.size());
   for (std::size_t c = 0; c < mesh.cell_types.size(); ++c)
     for (Index v = mesh.cell_offsets[c] + 1; v < mesh.cell_offsets[c + 1]; ++v)
@@ -85,7 +85,7 @@ Topology find_topology(const FileMesh& mesh) {
   std::sort(topology.boundary.begin(), topology.boundary.end());
   for (const auto& set : mesh.sets) topology.set_faces.push_back(faces_of_set(set, matched));
   find_pieces(mesh, topology);
-  topology.components = count_components(mesh);
+  topology.connected_parts = count_connected_parts(mesh);
   if (topology.pieces > max_pieces)
     throw InputError("the mesh falls into " + std::to_string(topology.pieces) +
                      " pieces that share no faces (at most " + std::to_string(max_pieces) +

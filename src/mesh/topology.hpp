@@ -12,8 +12,8 @@ struct Topology {
   std::vector<std::vector<CellFace>> set_faces;  ///< of each FileMesh set that lists faces, those on the boundary
   std::vector<std::int32_t> vertex_pieces;       ///< a piece of each vertex
   std::vector<Joint> joints;
-  int pieces = 0;      ///< parts connected through faces
-  int components = 0;  ///< parts connected through vertices
+  int pieces = 0;           ///< parts connected through faces
+  int connected_parts = 0;  ///< parts connected through vertices
   Index hanging_faces = 0;
 };
 

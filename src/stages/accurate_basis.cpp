@@ -7,7 +7,6 @@
 
 #include "ritz/base/error.hpp"
 #include "ritz/runtime/nonlinear_statics.hpp"
-#include "ritz/stages/reduce_polynomial.hpp"
 
 namespace ritz::stages {
 namespace {
@@ -85,6 +84,7 @@ double static_error(const model::Polynomial& polynomial, const ReducedPath& path
 /// What the search needs at every K'.
 struct Question {
   const Problem& problem;
+  const PolynomialLaws& laws;
   const ModesResult& modes;
   const StaticPath& path;
   double target;
@@ -99,7 +99,7 @@ SizedError smallest(const Question& in, const Principal& set, int count, int lim
   for (Index all = r + 4; r <= U.cols(); all *= 2) {
     const Index width = std::min(all, U.cols());
     const auto polynomial =
-        reduce_polynomial(in.problem, mesh::to_vertices(in.problem.mesh, in.problem.dofs, U.leftCols(width)));
+        reduce_polynomial(in.problem, in.laws, mesh::to_vertices(in.problem.mesh, in.problem.dofs, U.leftCols(width)));
     for (; r <= width; ++r) {
       const double error = static_error(leading(polynomial, r), path);
       if (error < best.error) best = {count, static_cast<int>(r), error};
@@ -123,9 +123,9 @@ SizedError smallest(const Question& in, const Principal& set, int count, int lim
 
 }  // namespace
 
-AccurateBasis accurate_basis(const Problem& problem, const ModesResult& modes, const StaticPath& path, double target,
-                             const ModesProgress& progress) {
-  const Question in{problem, modes, path, target};
+AccurateBasis accurate_basis(const Problem& problem, const PolynomialLaws& laws, const ModesResult& modes,
+                             const StaticPath& path, double target, const ModesProgress& progress) {
+  const Question in{problem, laws, modes, path, target};
   const EnteringModes entering{modes.modes.eigenvalues.tail(flexible_modes(modes).cols()), flexible_modes(modes)};
   const ScaledSource source{problem, modes, entering};
   const Cut cut{.size = most_columns};

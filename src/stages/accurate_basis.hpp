@@ -1,6 +1,7 @@
 // The smallest basis that is accurate enough on a static load path.
 #pragma once
 #include "ritz/stages/basis.hpp"
+#include "ritz/stages/reduce_polynomial.hpp"
 
 namespace ritz::stages {
 
@@ -30,7 +31,7 @@ struct AccurateBasis {
 ///
 /// Throws NumericalError, naming the best that was found, when no basis of the modes given is accurate enough.
 /// *Collective*.
-AccurateBasis accurate_basis(const Problem& problem, const ModesResult& modes, const StaticPath& path, double target,
-                             const ModesProgress& progress);
+AccurateBasis accurate_basis(const Problem& problem, const PolynomialLaws& laws, const ModesResult& modes,
+                             const StaticPath& path, double target, const ModesProgress& progress);
 
 }  // namespace ritz::stages

@@ -27,7 +27,7 @@ void end_row(petsc::Rows& rows) {
 
 template <class E>
 void add_cell(Sums& sums, const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Cell<E>& cell) {
-  const auto K = fem::stiffness<E>(cell.x, cell.material);
+  const auto K = fem::stiffness<E>(cell.x, cell.material.at_rest());
   const auto M = fem::mass<E>(cell.x, cell.material.density);
   for (int a = 0; a < E::vertices; ++a) {
     const int row = cell.vertex(a);
@@ -93,7 +93,7 @@ void refuse_extremes(const Matrices& matrices) {
 
 }  // namespace
 
-Problem assemble(mesh::Mesh mesh, mesh::Dofs dofs, std::vector<fem::StVK> materials) {
+Problem assemble(mesh::Mesh mesh, mesh::Dofs dofs, fem::Materials materials) {
   Sums sums{empty_rows(mesh, dofs), {}};
   sums.mass.assign(sums.stiffness.pattern.graph.columns.size(), 0);
   each_cell(mesh, materials, [&]<class E>(const Cell<E>& cell) { add_cell(sums, mesh, dofs, cell); });

@@ -21,14 +21,14 @@ struct Matrices {
 struct Problem {
   mesh::Mesh mesh;
   mesh::Dofs dofs;
-  std::vector<fem::StVK> materials;  ///< by region
+  fem::Materials materials;
   Matrices matrices;
 };
 
 /// Assembles K at rest and the exact consistent mass. Each rank computes the complete rows of its own vertices from its
 /// own and its halo's cells, in the file's order of cells: no value is communicated, and no entry depends on the number
-/// of ranks. `materials` are by region. Throws NumericalError for a K or M, or their quotient, beyond 1e±120.
+/// of ranks. Throws NumericalError for a K or M, or their quotient, beyond 1e±120.
 /// *Collective*.
-Problem assemble(mesh::Mesh mesh, mesh::Dofs dofs, std::vector<fem::StVK> materials);
+Problem assemble(mesh::Mesh mesh, mesh::Dofs dofs, fem::Materials materials);
 
 }  // namespace ritz::stages

@@ -24,10 +24,37 @@ struct Point {
 struct Inner {
   int vertices;
   const double* gradients;  ///< weight ∇N_a, 3 a vertex
-  double lambda, mu;
+  fem::ElasticConstants elastic;
   int width;  ///< padded number of modes
   const double *G, *S;
 };
+
+/// Adds what the constants of third order make of two strains e and h (xx yy zz xy yz zx), for a lane each, to P:
+/// A (e h + h e) + 2B (tr e h + tr h e + e : h I) + 2C tr e tr h I.
+template <class Lanes>
+inline __attribute__((always_inline)) void add_third_order(const fem::ElasticConstants& c, const double (&e)[6],
+                                                           const double* G, int w, int l, Lanes& P) {
+  const double h[6] = {G[l],
+                       G[4 * w + l],
+                       G[8 * w + l],
+                       (G[w + l] + G[3 * w + l]) / 2,
+                       (G[5 * w + l] + G[7 * w + l]) / 2,
+                       (G[2 * w + l] + G[6 * w + l]) / 2};
+  const double of_e = e[0] + e[1] + e[2], of_h = h[0] + h[1] + h[2];
+  const double product = e[0] * h[0] + e[1] * h[1] + e[2] * h[2] + 2 * (e[3] * h[3] + e[4] * h[4] + e[5] * h[5]);
+  const double all = 2 * c.B * product + 2 * c.C * of_e * of_h;
+  const double xx = 2 * (e[0] * h[0] + e[3] * h[3] + e[5] * h[5]), yy = 2 * (e[3] * h[3] + e[1] * h[1] + e[4] * h[4]),
+               zz = 2 * (e[5] * h[5] + e[4] * h[4] + e[2] * h[2]);
+  const double xy = e[0] * h[3] + e[3] * h[1] + e[5] * h[4] + h[0] * e[3] + h[3] * e[1] + h[5] * e[4];
+  const double yz = e[3] * h[5] + e[1] * h[4] + e[4] * h[2] + h[3] * e[5] + h[1] * e[4] + h[4] * e[2];
+  const double zx = e[5] * h[0] + e[4] * h[3] + e[2] * h[5] + h[5] * e[0] + h[4] * e[3] + h[2] * e[5];
+  const double s[6] = {xx, yy, zz, xy, yz, zx};
+  constexpr int place[9] = {0, 3, 5, 3, 1, 4, 5, 4, 2};  // row by row
+  for (int r = 0; r < 9; ++r) {
+    const int k = place[r];
+    P[r][l] += c.A * s[k] + 2 * c.B * (of_e * h[k] + of_h * e[k]) + (r % 4 == 0 ? all : 0);
+  }
+}
 
 /// Adds row i's pairs to `to`, 3 rows a vertex of the cell, `width` apart.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
@@ -35,9 +62,12 @@ __attribute__((target_clones("arch=x86-64-v3", "default")))
 #endif
 void add_row(const Inner& in, int i, double* to, int stride) {
   const int start = first_lane(i);
+  const double lambda = in.elastic.lambda, mu = in.elastic.mu;
+  const bool third_order = in.elastic.has_third_order();
   double g[9], s[6];
   for (int r = 0; r < 9; ++r) g[r] = in.G[r * in.width + i];
   for (int r = 0; r < 6; ++r) s[r] = in.S[r * in.width + i];
+  const double strain[6] = {g[0], g[4], g[8], (g[1] + g[3]) / 2, (g[5] + g[7]) / 2, (g[2] + g[6]) / 2};
   for (int j = start; j < in.width; j += lanes) {
     const double *G = in.G + j, *S = in.S + j;
     const int w = in.width;
@@ -52,23 +82,25 @@ void add_row(const Inner& in, int i, double* to, int stride) {
       const double xy = g[0] * a[1] + g[3] * a[4] + g[6] * a[7] + g[1] * a[0] + g[4] * a[3] + g[7] * a[6];
       const double yz = g[1] * a[2] + g[4] * a[5] + g[7] * a[8] + g[2] * a[1] + g[5] * a[4] + g[8] * a[7];
       const double zx = g[2] * a[0] + g[5] * a[3] + g[8] * a[6] + g[0] * a[2] + g[3] * a[5] + g[6] * a[8];
-      const double trace = in.lambda * (xx + yy + zz);
+      const double trace = lambda * (xx + yy + zz);
       for (int r = 0; r < 3; ++r) {
         const double *b = g + 3 * r, *c = a + 3 * r;
         P[3 * r][l] = b[0] * t[0] + b[1] * t[3] + b[2] * t[5] + c[0] * s[0] + c[1] * s[3] + c[2] * s[5];
         P[3 * r + 1][l] = b[0] * t[3] + b[1] * t[1] + b[2] * t[4] + c[0] * s[3] + c[1] * s[1] + c[2] * s[4];
         P[3 * r + 2][l] = b[0] * t[5] + b[1] * t[4] + b[2] * t[2] + c[0] * s[5] + c[1] * s[4] + c[2] * s[2];
       }
-      P[0][l] += trace + 2 * in.mu * xx;
-      P[4][l] += trace + 2 * in.mu * yy;
-      P[8][l] += trace + 2 * in.mu * zz;
-      P[1][l] += in.mu * xy;
-      P[3][l] += in.mu * xy;
-      P[5][l] += in.mu * yz;
-      P[7][l] += in.mu * yz;
-      P[2][l] += in.mu * zx;
-      P[6][l] += in.mu * zx;
+      P[0][l] += trace + 2 * mu * xx;
+      P[4][l] += trace + 2 * mu * yy;
+      P[8][l] += trace + 2 * mu * zz;
+      P[1][l] += mu * xy;
+      P[3][l] += mu * xy;
+      P[5][l] += mu * yz;
+      P[7][l] += mu * yz;
+      P[2][l] += mu * zx;
+      P[6][l] += mu * zx;
     }
+    if (third_order)
+      for (int l = 0; l < lanes; ++l) add_third_order(in.elastic, strain, G, w, l, P);
     for (int v = 0; v < in.vertices; ++v) {
       const double* n = in.gradients + 3 * v;
       for (int c = 0; c < 3; ++c) {
@@ -117,13 +149,13 @@ void cell_sums(const Cell<E>& cell, mesh::LocalRef local, const Rows& rows, Moda
   // Differences from the first vertex: a cell that moves far as a whole is not strained.
   for (int a = E::vertices - 1; a >= 0; --a) u.middleRows<3>(3 * a) -= u.topRows<3>();
   const fem::Coordinates<E> x = fem::relative<E>(cell.x);
-  const double lambda = cell.material.lambda(), mu = cell.material.mu();
+  const auto elastic = cell.material.at_rest();
   sums.topRows(3 * E::vertices).setZero();
   for (const auto& sample : E::rule) {
     const auto [shape, weight] = fem::physical_gradients<E>(x, sample);
-    gradients_of<E>(shape, u, lambda, mu, point);
+    gradients_of<E>(shape, u, elastic.lambda, elastic.mu, point);
     const Eigen::Matrix<double, E::vertices, 3, Eigen::RowMajor> weighted = -weight * shape;
-    const Inner inner{E::vertices,    weighted.data(), lambda, mu, static_cast<int>(point.G.cols()),
+    const Inner inner{E::vertices,    weighted.data(), elastic, static_cast<int>(point.G.cols()),
                       point.G.data(), point.S.data()};
     for (int i = rows.first; i < rows.last; ++i)
       add_row(inner, i, sums.data() + rows.start(i), static_cast<int>(sums.cols()));

@@ -18,7 +18,8 @@ struct Cell {
   int number;                     ///< among the cells of this rank
   bool owned;                     ///< by this rank; else it is of the halo
   std::span<const int> vertices;  ///< local numbers
-  const fem::StVK& material;
+  int region;                     ///< of the mesh
+  const fem::Material& material;
   fem::Coordinates<E> x;  ///< of the vertices at rest, m, a column each
 
   int vertex(int a) const { return vertices[static_cast<std::size_t>(a)]; }
@@ -33,12 +34,13 @@ struct Cell {
 
 /// Calls kernel(Cell<E>) for one cell, E being its element type.
 template <class Kernel>
-decltype(auto) visit_cell(const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials, int cell, Kernel&& kernel) {
+decltype(auto) visit_cell(const mesh::Mesh& mesh, const fem::Materials& materials, int cell, Kernel&& kernel) {
   const auto c = static_cast<std::size_t>(cell);
   return fem::visit(mesh.cells.types[c], [&]<class E>(E) -> decltype(auto) {
     Cell<E> view{cell,
                  cell < mesh.cells.owned,
                  mesh.cells.of(cell),
+                 static_cast<int>(mesh.cells.regions[c]),
                  materials[static_cast<std::size_t>(mesh.cells.regions[c])],
                  {}};
     for (int a = 0; a < E::vertices; ++a) view.x.col(a) = mesh.points.col(view.vertex(a));
@@ -49,14 +51,14 @@ decltype(auto) visit_cell(const mesh::Mesh& mesh, const std::vector<fem::StVK>& 
 /// Calls kernel(Cell<E>) for every cell of this rank, its halo's too, in the file's order: what a kernel sums into rows
 /// of owned vertices is complete, and rounds the same on any number of ranks.
 template <class Kernel>
-void each_cell(const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials, Kernel&& kernel) {
+void each_cell(const mesh::Mesh& mesh, const fem::Materials& materials, Kernel&& kernel) {
   for (const int c : mesh.cells.file_order) visit_cell(mesh, materials, c, kernel);
 }
 
 /// Calls kernel(Cell<E>) for the cells that this rank owns, in the file's order: what is summed over ranks afterwards
 /// counts each cell once.
 template <class Kernel>
-void each_owned_cell(const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials, Kernel&& kernel) {
+void each_owned_cell(const mesh::Mesh& mesh, const fem::Materials& materials, Kernel&& kernel) {
   for (int c = 0; c < mesh.cells.owned; ++c) visit_cell(mesh, materials, c, kernel);
 }
 

@@ -6,9 +6,8 @@
 namespace ritz::stages {
 
 /// For M a + D v + f(u) = F(t) with D = alpha M + beta K(0), over one step Δt from (u₀, v₀, a₀), d = u₁ − u₀:
-///  avf             the mean of f along the straight step, by two-point Gauss quadrature: energy-exact, f is a cubic
-///  newmark         β = ¼, γ = ½
-///  implicit_euler  v₁ = d/Δt, a₁ = (v₁ − v₀)/Δt
+///  avf             the mean of f along the straight step, by Gauss quadrature: two points where f is a cubic,
+///  energy-exact; else four newmark         β = ¼, γ = ½ implicit_euler  v₁ = d/Δt, a₁ = (v₁ − v₀)/Δt
 enum class FullIntegrator { avf, newmark, implicit_euler };
 
 struct DynamicOptions {

@@ -25,11 +25,11 @@ template <class E>
 void add_rounding(const mesh::Mesh& mesh, const Cell<E>& cell, const mesh::LocalRows& local, Eigen::VectorXd& sums) {
   const fem::Coordinates<E> x = fem::relative<E>(cell.x), u = cell.gather(local, 0);
   const double largest = u.cwiseAbs().maxCoeff();
+  const auto elastic = cell.material.at_rest();
   for (const auto& sample : E::rule) {
     const auto [gradients, weight] = fem::physical_gradients<E>(x, sample);
     const double stretch = 1 + (fem::relative<E>(u) * gradients).norm();
-    const double stress =
-        epsilon * (cell.material.lambda() + 2 * cell.material.mu()) * stretch * stretch * largest * gradients.norm();
+    const double stress = epsilon * (elastic.lambda + 2 * elastic.mu) * stretch * stretch * largest * gradients.norm();
     for (int a = 0; a < E::vertices; ++a)
       if (const int v = cell.vertex(a); v < mesh.owned) sums[v] += std::abs(weight) * stress * gradients.row(a).norm();
   }

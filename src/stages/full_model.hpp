@@ -1,4 +1,4 @@
-// The unreduced StVK model, ready for Newton's method. Vectors are over the free degrees of freedom, one column.
+// The unreduced model, ready for Newton's method. Vectors are over the free degrees of freedom, one column.
 #pragma once
 #include <string>
 

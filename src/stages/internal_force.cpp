@@ -1,6 +1,6 @@
 #include "ritz/stages/internal_force.hpp"
 
-#include "ritz/fem/stvk.hpp"
+#include "ritz/fem/response.hpp"
 #include "ritz/mesh/dofs.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/stages/each_cell.hpp"

@@ -1,4 +1,4 @@
-// The full model's StVK force at any displacement.
+// The full model's internal force at any displacement.
 #pragma once
 #include <vector>
 

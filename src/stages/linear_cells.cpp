@@ -20,9 +20,9 @@ constexpr double bending_gate = .1, any_gate = .25, few_layers = 2.6;
 
 using Strain = fem::Vector<6>;  // xx yy zz, then xy yz zx of the tensor
 
-double twice_energy(const fem::StVK& m, const Strain& e) {
+double twice_energy(const fem::ElasticConstants& m, const Strain& e) {
   const double trace = e.head<3>().sum();
-  return m.lambda() * trace * trace + 2 * m.mu() * (e.head<3>().squaredNorm() + 2 * e.tail<3>().squaredNorm());
+  return m.lambda * trace * trace + 2 * m.mu * (e.head<3>().squaredNorm() + 2 * e.tail<3>().squaredNorm());
 }
 
 template <class E>
@@ -35,11 +35,11 @@ Strain strain(const fem::Coordinates<E>& u, const fem::Matrix<E::vertices, 3>& g
 
 constexpr bool is_linear(fem::CellType type) { return type != fem::CellType::tet10; }
 
-const fem::StVK& material_of(const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials, int cell) {
+const fem::Material& material_of(const mesh::Mesh& mesh, const fem::Materials& materials, int cell) {
   return materials[static_cast<std::size_t>(mesh.cells.regions[static_cast<std::size_t>(cell)])];
 }
 
-int octave(const fem::StVK& material) { return std::ilogb(material.young); }
+int octave(const fem::Material& material) { return std::ilogb(material.at_rest().young()); }
 
 /// Strains at vertices, a column a mode: xx yy zz in `normal`, xy yz zx in `shear`.
 template <class Rows>
@@ -73,7 +73,7 @@ void add_strains(const mesh::Mesh& mesh, const Cell<E>& cell, const mesh::LocalR
 
 /// Calls kernel(Cell<E>) for a Tet4 or a Hex8.
 template <class Kernel>
-void visit_linear(const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials, int cell, Kernel&& kernel) {
+void visit_linear(const mesh::Mesh& mesh, const fem::Materials& materials, int cell, Kernel&& kernel) {
   visit_cell(mesh, materials, cell, [&]<class E>(const Cell<E>& view) {
     if constexpr (is_linear(E::type)) kernel(view);
   });
@@ -82,7 +82,7 @@ void visit_linear(const mesh::Mesh& mesh, const std::vector<fem::StVK>& material
 using Recovered = Strains<mesh::LocalRows>;
 
 /// ε* over the cells of one octave of stiffness. *Collective*.
-Recovered recover(const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials, const std::vector<int>& cells,
+Recovered recover(const mesh::Mesh& mesh, const fem::Materials& materials, const std::vector<int>& cells,
                   const mesh::LocalRows& local) {
   Eigen::VectorXd volumes = Eigen::VectorXd::Zero(mesh.owned);
   const petsc::Tall zeros = petsc::Tall::Zero(3 * mesh.owned, local.cols());
@@ -110,6 +110,7 @@ void add_errors(const Cell<E>& cell, const mesh::LocalRows& local, const Recover
   }
   ();
   const fem::Coordinates<E> x = fem::relative<E>(cell.x);
+  const auto elastic = cell.material.at_rest();
   for (Index j = 0; j < local.cols(); ++j) {
     const fem::Coordinates<E> u = cell.gather(local, j);
     fem::Matrix<6, E::vertices> corners;
@@ -120,12 +121,12 @@ void add_errors(const Cell<E>& cell, const mesh::LocalRows& local, const Recover
       const auto [gradients, weight] = fem::physical_gradients<E>(x, point);
       const Strain smooth = corners * E::shape(point.xi);
       volume += weight;
-      varying += weight * twice_energy(cell.material, smooth - mean);
-      sums(0, j) += weight * twice_energy(cell.material, smooth - strain<E>(u, gradients));
+      varying += weight * twice_energy(elastic, smooth - mean);
+      sums(0, j) += weight * twice_energy(elastic, smooth - strain<E>(u, gradients));
     }
     // A mean over a vertex's tetrahedra has lost as much of a strain that changes sign as makes this a fifth.
     sums(1, j) += (tetrahedron ? 5 : 1) * varying;
-    sums(2, j) += volume * twice_energy(cell.material, mean);
+    sums(2, j) += volume * twice_energy(elastic, mean);
   }
 }
 

@@ -103,7 +103,7 @@ class Panel {
 };
 
 template <class E>
-void add_cell(const Cell<E>& cell, const RowMajor& local, RowMajor& G, Panel& panel) {
+void add_cell(const Cell<E>& cell, const fem::StVK& law, const RowMajor& local, RowMajor& G, Panel& panel) {
   const fem::Coordinates<E> x = fem::relative<E>(cell.x);
   for (const auto& sample : E::rule) {
     const auto [shape, weight] = fem::physical_gradients<E>(x, sample);
@@ -112,7 +112,7 @@ void add_cell(const Cell<E>& cell, const RowMajor& local, RowMajor& G, Panel& pa
       for (int c = 0; c < 3; ++c)
         for (int d = 0; d < 3; ++d)
           G.row(3 * c + d) += shape(a, d) * (local.row(3 * cell.vertex(a) + c) - local.row(3 * cell.vertex(0) + c));
-    panel.add(G, Metric(cell.material, weight));
+    panel.add(G, Metric(law, weight));
   }
 }
 
@@ -154,13 +154,15 @@ Eigen::VectorXd quartic(const Eigen::MatrixXd& gram, Index r) {
 
 }  // namespace
 
-model::Polynomial reduce_polynomial(const Problem& problem, mesh::VertexRef u) {
+model::Polynomial reduce_polynomial(const Problem& problem, const PolynomialLaws& laws, mesh::VertexRef u) {
   const mesh::Mesh& mesh = problem.mesh;
   const RowMajor local = mesh::with_ghosts(mesh, u, mesh::components);
   const Index r = u.cols();
   Panel panel(r);
   RowMajor G(9, r);
-  each_owned_cell(mesh, problem.materials, [&]<class E>(const Cell<E>& cell) { add_cell(cell, local, G, panel); });
+  each_owned_cell(mesh, problem.materials, [&]<class E>(const Cell<E>& cell) {
+    add_cell(cell, laws[static_cast<std::size_t>(cell.region)], local, G, panel);
+  });
   panel.flush();
   model::Polynomial polynomial{r, quadratic(panel.gram, r), cubic(panel.gram, r), quartic(panel.gram, r)};
   for (auto* part : {&polynomial.quadratic, &polynomial.cubic, &polynomial.quartic}) {

@@ -12,7 +12,8 @@ namespace {
 template <class E>
 void add_cell(const Cell<E>& cell, const mesh::LocalRows& local, Eigen::VectorXd& sums) {
   const fem::Coordinates<E> x = fem::relative<E>(cell.x);
-  const double lambda = cell.material.lambda(), mu = cell.material.mu();
+  const auto elastic = cell.material.at_rest();
+  const double lambda = elastic.lambda, mu = elastic.mu;
   for (const auto& sample : E::rule) {
     const auto [gradients, weight] = fem::physical_gradients<E>(x, sample);
     for (Eigen::Index j = 0; j < local.cols(); ++j) {

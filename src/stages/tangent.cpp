@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "ritz/fem/stvk.hpp"
+#include "ritz/fem/response.hpp"
 #include "ritz/stages/each_cell.hpp"
 
 namespace ritz::stages {

@@ -31,6 +31,13 @@ std::string cell_name(std::uint8_t vtk) {
 
 double hertz(double eigenvalue) { return std::sqrt(std::max(0.0, eigenvalue)) / (2 * std::numbers::pi); }
 
+std::string material_text(const fem::Material& material) {
+  const auto elastic = material.at_rest();
+  const std::string name = fem::name(material.law);
+  return (name == fem::default_law ? "" : " " + name) +
+         text(" E %.6g Pa, ν %.6g, ρ %.6g kg/m³\n", elastic.young(), elastic.poisson(), material.density);
+}
+
 std::string certificate_text(const model::Certificate& c) {
   if (c.kind == model::Certified::no) return "not certified: modes may be missing";
   const auto name = std::string(format::name(c.kind));
@@ -53,8 +60,7 @@ void describe_geometry(const model::Geometry& g, std::ostream& out) {
                       low[2], high[2]);
   }
   for (const auto& [region, m] : g.materials)
-    item(out) << "material " << padded(printable(region), 16)
-              << text(" E %.6g Pa, ν %.6g, ρ %.6g kg/m³\n", m.young, m.poisson, m.density);
+    item(out) << "material " << padded(printable(region), 16) << material_text(m);
   for (const auto& set : g.sets) {
     item(out) << "set      " << padded(printable(set.name), 16) << ' ' << grouped(set.full_count) << " vertices";
     if (std::ssize(set.rows) < set.full_count) out << ", " << grouped(std::ssize(set.rows)) << " stored";

@@ -17,8 +17,21 @@ const std::vector<mesh::Region> regions = {{"Steel", {200e9, .29, 7850}}, {"rubb
 const std::vector<std::string> general = {"-material_young",   "1e6", "-material_poisson", ".45",
                                           "-material_density", "1100"};
 
-std::vector<fem::StVK> materials(std::vector<std::string> words) {
-  return region_materials(with_box(std::move(words)), regions);
+struct Constants {
+  double young, poisson, density;
+};
+
+std::vector<Constants> constants(const Config& config, const std::vector<mesh::Region>& of) {
+  std::vector<Constants> all;
+  for (const auto& [law, density] : region_materials(config, of)) {
+    const auto told = fem::parameters(law);
+    all.push_back({told.at(0).value, told.at(1).value, density});
+  }
+  return all;
+}
+
+std::vector<Constants> materials(std::vector<std::string> words) {
+  return constants(with_box(std::move(words)), regions);
 }
 
 std::vector<std::string> with(std::vector<std::string> words, const std::vector<std::string>& more) {
@@ -55,10 +68,9 @@ TEST(Materials, OfTheFileStandWhereNoOptionSpeaks) {
 const std::vector<mesh::Region> nested = {{"all", {}}, {"rubber", {}, {"all"}}, {"core", {}, {"rubber", "all"}}};
 
 TEST(Materials, OfASmallerVolumeWinOverThoseItLiesIn) {
-  const auto m =
-      region_materials(with_box(with(general, {"-material_all_young", "2e11", "-material_rubber_young", "1e7",
-                                               "-material_all_density", "7800", "-material_core_density", "900"})),
-                       nested);
+  const auto m = constants(with_box(with(general, {"-material_all_young", "2e11", "-material_rubber_young", "1e7",
+                                                   "-material_all_density", "7800", "-material_core_density", "900"})),
+                           nested);
   EXPECT_EQ(m[0].young, 2e11);
   EXPECT_EQ(m[1].young, 1e7);
   EXPECT_EQ(m[2].young, 1e7);
@@ -71,7 +83,7 @@ TEST(Materials, OfASmallerVolumeWinOverThoseItLiesIn) {
 TEST(Materials, OfVolumesThatCrossMustAgree) {
   const std::vector<mesh::Region> crossing = {{"a", {}}, {"b", {}}, {"a & b", {}, {"a", "b"}, mesh::Overlap::crossing}};
   const auto of = [&](const std::vector<std::string>& more) {
-    return region_materials(with_box(with(general, more)), crossing)[2].young;
+    return constants(with_box(with(general, more)), crossing)[2].young;
   };
   EXPECT_EQ(of({}), 1e6);
   EXPECT_EQ(of({"-material_b_young", "3e6"}), 3e6);
@@ -86,32 +98,32 @@ TEST(Materials, OfVolumesThatCrossMustAgree) {
 
 TEST(Materials, OfVolumesOfTheSameCellsMustAgree) {
   const std::vector<mesh::Region> same = {{"a", {}, {"a", "b"}, mesh::Overlap::crossing}};
-  EXPECT_EQ(region_materials(with_box(with(general, {"-material_a_young", "3e6"})), same)[0].young, 3e6);
-  EXPECT_EQ(region_materials(with_box(with(general, {"-material_b_young", "3e6"})), same)[0].young, 3e6);
+  EXPECT_EQ(constants(with_box(with(general, {"-material_a_young", "3e6"})), same)[0].young, 3e6);
+  EXPECT_EQ(constants(with_box(with(general, {"-material_b_young", "3e6"})), same)[0].young, 3e6);
   EXPECT_THAT(
       [&] {
-        region_materials(with_box(with(general, {"-material_a_young", "2e6", "-material_b_young", "3e6"})), same);
+        constants(with_box(with(general, {"-material_a_young", "2e6", "-material_b_young", "3e6"})), same);
       },
       ThrowsMessage<InputError>(HasSubstr("give these the same value")));
 }
 
 TEST(Materials, OfAFileAndOfOptionsCompleteEachOther) {
   const std::vector<mesh::Region> partly = {{"steel", {.young = 2e11, .poisson = .3}}};
-  const auto all = region_materials(with_box({"-material_density", "7800"}), partly);
+  const auto all = constants(with_box({"-material_density", "7800"}), partly);
   EXPECT_EQ(all[0].young, 2e11);
   EXPECT_EQ(all[0].density, 7800);
-  EXPECT_THAT([&] { region_materials(with_box({}), partly); },
+  EXPECT_THAT([&] { constants(with_box({}), partly); },
               ThrowsMessage<InputError>(AllOf(HasSubstr("'steel' has no density"), HasSubstr("-material_density"))));
 }
 
 TEST(Materials, OfOptionsGetPastALawThatIsNotRead) {
   const std::vector<mesh::Region> ortho = {{"wood", {.density = 700, .unread_law = "w.veg:9: law ORTHOTROPIC"}}};
-  const auto all = region_materials(with_box({"-material_young", "1e10", "-material_wood_poisson", ".3"}), ortho);
+  const auto all = constants(with_box({"-material_young", "1e10", "-material_wood_poisson", ".3"}), ortho);
   EXPECT_EQ(all[0].young, 1e10);
   EXPECT_EQ(all[0].density, 700);
   EXPECT_THAT(
       [&] {
-        region_materials(with_box({"-material_young", "1e10"}), ortho);
+        constants(with_box({"-material_young", "1e10"}), ortho);
       },
       ThrowsMessage<InputError>(AllOf(HasSubstr("w.veg:9: law ORTHOTROPIC"), HasSubstr("-material_poisson"))));
 }
@@ -123,10 +135,10 @@ TEST(Materials, OfOptionsAreConvertedToSi) {
   EXPECT_NEAR(all[1].density, 7850, 1e-9);
 }
 
-std::vector<fem::StVK> of_regions(std::vector<std::string> names, const std::vector<std::string>& more) {
+std::vector<Constants> of_regions(std::vector<std::string> names, const std::vector<std::string>& more) {
   std::vector<mesh::Region> named;
   for (auto& name : names) named.push_back({std::move(name), std::nullopt});
-  return region_materials(with_box(with(general, more)), named);
+  return constants(with_box(with(general, more)), named);
 }
 
 TEST(Materials, OfRegionsWithBlanksAreNamedWithUnderscores) {
@@ -175,10 +187,30 @@ TEST(Materials, MustBePossible) {
 TEST(Materials, MustBeOfARegionThatExists) {
   EXPECT_THAT(
       [] {
-        region_materials(with_box({}), {{"left end", std::nullopt}});
+        constants(with_box({}), {{"left end", std::nullopt}});
       },
       ThrowsMessage<InputError>(HasSubstr("-material_left_end_young")));
   refuses(with(general, {"-material_ruber_young", "1"}), "'ruber'", "'rubber'");
+}
+
+std::vector<std::string> laws(const std::vector<std::string>& more) {
+  std::vector<std::string> names;
+  for (const auto& material : region_materials(with_box(with(general, more)), regions))
+    names.emplace_back(fem::name(material.law));
+  return names;
+}
+
+TEST(Materials, HaveALawOfTheirOwn) {
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(laws({}), (Names{"stvk", "stvk"}));
+  EXPECT_EQ(laws({"-material_law", "neo-hookean"}), (Names{"neo-hookean", "neo-hookean"}));
+  EXPECT_EQ(laws({"-material_rubber_law", "neo-hookean"}), (Names{"stvk", "neo-hookean"}));
+  EXPECT_EQ(laws({"-material_law", "neo-hookean", "-material_steel_law", "stvk"}), (Names{"stvk", "neo-hookean"}));
+  EXPECT_THAT(
+      [] {
+        laws({"-material_law", "neohooke"});
+      },
+      ThrowsMessage<InputError>(AllOf(HasSubstr("-material_law"), HasSubstr("neo-hookean"))));
 }
 
 }  // namespace

@@ -13,7 +13,9 @@ namespace {
 TEST(Fixture, OfVersion10IsRead) {
   const ModelReader in(std::filesystem::path(RITZ_SOURCE "/tests/format/fixtures/model-1.0.h5"));
   EXPECT_EQ(in.minor_version(), 0);
-  test::expect_same(read(in), test::sample_model());
+  auto expected = test::sample_model();
+  expected.body.geometry.materials[1].material.law = fem::StVK{1e6, .49};  // laws had no names then
+  test::expect_same(read(in), expected);
   for (const auto& info : contents(in)) EXPECT_NO_THROW(verify(in, info));
 }
 

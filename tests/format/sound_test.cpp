@@ -59,7 +59,7 @@ TEST_F(Sound, NumbersAreFinite) {
   wrong("inertia/origin", "finite", [](auto& b) { b.inertia->origin[2] = infinite; });
   wrong("loads/tip/total", "finite", [](auto& b) { b.loads[0].total(0, 0) = nan; });
   wrong("pressure", "finite", [](auto& b) { b.loads[1].pressure[0] = infinite; });
-  wrong("materials/young", "finite", [](auto& b) { b.geometry.materials[0].material.young = nan; });
+  wrong("materials/young", "finite", [](auto& b) { b.geometry.materials[0].material.law = fem::StVK{nan, .3}; });
 }
 
 TEST_F(Sound, CellsHaveTheVerticesOfTheirTypes) {
@@ -85,9 +85,11 @@ TEST_F(Sound, SetsAscendAndAreOfTheMesh) {
 
 TEST_F(Sound, MaterialsCanBe) {
   for (const double young : {0.0, -1.0})
-    wrong("materials", "'steel'", [=](auto& b) { b.geometry.materials[0].material.young = young; });
+    wrong("materials", "'steel'", [=](auto& b) { b.geometry.materials[0].material.law = fem::StVK{young, .3}; });
   for (const double poisson : {0.5, -1.0, 7.0})
-    wrong("materials", "'rubber'", [=](auto& b) { b.geometry.materials[1].material.poisson = poisson; });
+    wrong("materials", "'rubber'", [=](auto& b) {
+      b.geometry.materials[1].material.law = fem::NeoHookean{1e6, poisson};
+    });
   wrong("materials", "'steel'", [](auto& b) { b.geometry.materials[0].material.density = 0; });
 }
 

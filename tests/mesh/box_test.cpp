@@ -46,7 +46,7 @@ TEST_P(BoxOf, HasTheCountsOfItsGrid) {
   EXPECT_EQ(mesh.vertices_total, points(0) * points(1) * points(2));
   EXPECT_EQ(mesh.cells_total, GetParam().cells * hexahedra);
   EXPECT_EQ(mesh.pieces, 1);
-  EXPECT_EQ(mesh.components, 1);
+  EXPECT_EQ(mesh.connected_parts, 1);
   ASSERT_EQ(mesh.regions.size(), 1u);
   EXPECT_EQ(mesh.regions[0].name, "body");
 }

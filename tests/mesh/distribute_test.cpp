@@ -18,7 +18,7 @@ void expect_same(const Mesh& mesh, const Mesh& box) {
   EXPECT_EQ(mesh.cells_total, box.cells_total);
   EXPECT_EQ(mesh.checksum, box.checksum);  // of points, cells, regions and all their numbers
   EXPECT_EQ(mesh.pieces, box.pieces);
-  EXPECT_EQ(mesh.components, box.components);
+  EXPECT_EQ(mesh.connected_parts, box.connected_parts);
   EXPECT_EQ(parallel::sum(world, std::ssize(mesh.boundary)), parallel::sum(world, std::ssize(box.boundary)));
   ASSERT_EQ(mesh.sets.size(), box.sets.size());
   for (std::size_t s = 0; s < mesh.sets.size(); ++s) {
@@ -75,7 +75,7 @@ FileMesh pair_sharing(int shared) {
 
 TEST(Pieces, AreJoinedByFacesAndHingedByVertices) {
   struct Expected {
-    int pieces, components;
+    int pieces, connected_parts;
     std::size_t joints;
   };
   const Expected expected[] = {{2, 2, 0}, {2, 1, 1}, {2, 1, 2}, {1, 1, 0}};
@@ -83,7 +83,7 @@ TEST(Pieces, AreJoinedByFacesAndHingedByVertices) {
     const Mesh mesh = distributed(pair_sharing(shared));
     expect_sound(mesh);
     EXPECT_EQ(mesh.pieces, expected[shared].pieces) << shared;
-    EXPECT_EQ(mesh.components, expected[shared].components) << shared;
+    EXPECT_EQ(mesh.connected_parts, expected[shared].connected_parts) << shared;
     ASSERT_EQ(mesh.joints.size(), expected[shared].joints) << shared;
     for (const auto& joint : mesh.joints) {
       EXPECT_EQ(joint.pieces, (std::vector{0, 1}));
@@ -119,7 +119,7 @@ TEST(FileMesh, CarriesMaterialsSupportsAndSets) {
   for (int c = 0; c < mesh.cells.count(); ++c)
     EXPECT_EQ(mesh.cells.regions[static_cast<std::size_t>(c)], mesh.cells.numbers[static_cast<std::size_t>(c)]);
   ASSERT_EQ(mesh.supports.size(), 1u);
-  EXPECT_EQ(mesh.supports[0].components, (std::array{true, false, true}));
+  EXPECT_EQ(mesh.supports[0].held, (std::array{true, false, true}));
   for (const int v : mesh.supports[0].vertices) EXPECT_EQ(mesh.points(0, v), 0);
   EXPECT_EQ(mesh.find("edge")->vertices_total, 2);
   EXPECT_EQ(mesh.find("nothing")->vertices_total, 0);

@@ -158,9 +158,9 @@ TEST(ReadInp, ReadsMaterialsSetsAndSupports) {
   EXPECT_EQ(find_set(mesh, "feet")->vertices, (std::vector<Index>{0, 1, 2}));
   ASSERT_EQ(mesh.supports.size(), 2u);
   EXPECT_EQ(mesh.supports[0].vertices, (std::vector<Index>{0, 1, 2}));
-  EXPECT_EQ(mesh.supports[0].components, (std::array{true, true, false}));
+  EXPECT_EQ(mesh.supports[0].held, (std::array{true, true, false}));
   EXPECT_EQ(mesh.supports[1].vertices, (std::vector<Index>{3}));
-  EXPECT_EQ(mesh.supports[1].components, (std::array{false, false, true}));
+  EXPECT_EQ(mesh.supports[1].held, (std::array{false, false, true}));
 }
 
 std::string inp_with(const std::string& more) { return with(inp_text(), "*STEP\n", more + "*STEP\n"); }
@@ -202,17 +202,17 @@ TEST(ReadInp, ReadsNamedConditionsAndIgnoresRotations) {
   const auto mesh =
       read_text("a.inp", inp_with("*BOUNDARY\nfeet, ENCASTRE\nNall, XSYMM\n50, 1, 6, 0.\n50, 5\n50,3,,0\n"));
   ASSERT_EQ(mesh.supports.size(), 7u);
-  EXPECT_EQ(mesh.supports[0].components, (std::array{true, true, true}));
-  EXPECT_EQ(mesh.supports[1].components, (std::array{true, false, false}));
-  EXPECT_EQ(mesh.supports[2].components, (std::array{true, true, true}));
-  EXPECT_EQ(mesh.supports[3].components, (std::array{false, false, false}));
-  EXPECT_EQ(mesh.supports[4].components, (std::array{false, false, true}));
+  EXPECT_EQ(mesh.supports[0].held, (std::array{true, true, true}));
+  EXPECT_EQ(mesh.supports[1].held, (std::array{true, false, false}));
+  EXPECT_EQ(mesh.supports[2].held, (std::array{true, true, true}));
+  EXPECT_EQ(mesh.supports[3].held, (std::array{false, false, false}));
+  EXPECT_EQ(mesh.supports[4].held, (std::array{false, false, true}));
 }
 
 TEST(ReadInp, FixesTheNodesOfAnElementSet) {
   const auto mesh = read_text("a.inp", inp_with("*BOUNDARY\nupper, 2\n"));
   EXPECT_EQ(mesh.supports[0].vertices, (std::vector<Index>{1, 2, 3, 4}));
-  EXPECT_EQ(mesh.supports[0].components, (std::array{false, true, false}));
+  EXPECT_EQ(mesh.supports[0].held, (std::array{false, true, false}));
 }
 
 TEST(ReadInp, MakesRegionsOfElementSetsWithoutSections) {

@@ -16,7 +16,7 @@ void expect_unchanged(const std::string& text) {
   EXPECT_EQ(find_set(mesh, "feet")->vertices, (std::vector<Index>{0, 1, 2}));
   EXPECT_EQ(find_set(mesh, "both")->vertices.size(), 5u);
   ASSERT_EQ(mesh.supports.size(), 2u);
-  EXPECT_EQ(mesh.supports[0].components, (std::array{true, true, false}));
+  EXPECT_EQ(mesh.supports[0].held, (std::array{true, true, false}));
   EXPECT_EQ(mesh.supports[1].vertices, (std::vector<Index>{3}));
 }
 

@@ -20,7 +20,7 @@ std::set<std::string> held(const FileMesh& mesh) {
   for (const auto& support : mesh.supports)
     for (const Index v : support.vertices)
       for (std::size_t i = 0; i < 3; ++i)
-        if (support.components[i]) result.insert(std::to_string(v) + "xyz"[i]);
+        if (support.held[i]) result.insert(std::to_string(v) + "xyz"[i]);
   return result;
 }
 
@@ -147,7 +147,7 @@ TEST(ReadInpSteps, ManyWithManySupportsTakeTimeInProportion) {
   for (int i = 0; i < 20'000; ++i) steps += "*STEP\n*BOUNDARY, OP=NEW\nNall, 2\n";
   const auto mesh = read_text("a.inp", deck(steps));
   EXPECT_EQ(mesh.supports.size(), 1u);
-  EXPECT_EQ(mesh.supports[0].components, (std::array{false, true, false}));
+  EXPECT_EQ(mesh.supports[0].held, (std::array{false, true, false}));
 }
 
 }  // namespace

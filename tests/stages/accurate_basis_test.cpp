@@ -46,13 +46,16 @@ class AccurateBasis : public testing::TestWithParam<const char*> {
   }
 
   stages::AccurateBasis choose(double target) const {
-    return stages::accurate_basis(r.p, r.modes, path, target, [](const std::string&, double) {});
+    return stages::accurate_basis(r.p, *stages::polynomial_laws(r.p.materials), r.modes, path, target,
+                                  [](const std::string&, double) {});
   }
 
   /// The error of a basis, from its own polynomial.
   double error(const Tall& U) const {
-    const auto model = runtime::make_nonlinear_model<double>(
-        stages::reduce_polynomial(r.p, mesh::to_vertices(r.p.mesh, r.p.dofs, U)), {});
+    const auto model =
+        runtime::make_nonlinear_model<double>(stages::reduce_polynomial(r.p, *stages::polynomial_laws(r.p.materials),
+                                                                        mesh::to_vertices(r.p.mesh, r.p.dofs, U)),
+                                              {});
     auto room = runtime::make_static_workspace(model);
     Eigen::VectorXd z = Eigen::VectorXd::Zero(U.cols()), last = z;
     double worst = 0;

@@ -138,10 +138,10 @@ TEST(Basis, DerivativesNeverCutACluster) {
 
 /// The same beam in metres and kilograms, and as if its numbers in millimetres and tonnes were those.
 TEST(Basis, UnitsMoveATruncatedSpanAlone) {
-  const auto beam = [](const std::string& box_text, const fem::StVK& material) {
+  const auto beam = [](const std::string& box_text, const fem::Material& material) {
     return reduced(problem(box(box_text), {fixed("xmin")}, {material}), 6);
   };
-  const Reduced si = beam("box:1,.2,.15/5,2,2/hex8", {1e6, .3, 1000});
+  const Reduced si = beam("box:1,.2,.15/5,2,2/hex8", test::stvk(1e6, .3, 1000));
   const Reduced mm = beam("box:1000,200,150/5,2,2/hex8", {1, .3, 1e-9});
   const auto sine = [&](int size) {
     const stages::BasisOptions options{.modes = {}, .derivatives = 6, .cut = {.size = size, .tolerance = 1e-12}};

@@ -51,7 +51,7 @@ class CalculiX : public testing::Test {
   static FullRun cantilever() {
     mesh::Source source;
     source.mesh = folder / "cantilever.v41.msh";
-    return {problem(mesh::read(MPI_COMM_WORLD, source), {fixed("clamp")}, {{1e6, .3, 1000}})};
+    return {problem(mesh::read(MPI_COMM_WORLD, source), {fixed("clamp")}, {test::stvk(1e6, .3, 1000)})};
   }
   static petsc::Tall end_load(const FullRun& run, double p) {
     return run.free(stages::shared_force(run.p.mesh, *run.p.mesh.find("tip"), {0, 0, -1.8 * p}));

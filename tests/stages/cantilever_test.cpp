@@ -55,7 +55,8 @@ class Cantilever : public testing::Test {
 
   /// Relative M-norm errors of the reduced statics on U at p = .5, 2, 8.
   static std::vector<double> errors(const Reduced& r, const Tall& U) {
-    const auto polynomial = stages::reduce_polynomial(r.p, mesh::to_vertices(r.p.mesh, r.p.dofs, U));
+    const auto polynomial = stages::reduce_polynomial(r.p, *stages::polynomial_laws(r.p.materials),
+                                                      mesh::to_vertices(r.p.mesh, r.p.dofs, U));
     const auto model = runtime::make_nonlinear_model<double>(polynomial, {});
     auto room = runtime::make_static_workspace(model);
     Eigen::VectorXd z = Eigen::VectorXd::Zero(U.cols()), last = z;

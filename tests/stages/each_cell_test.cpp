@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ritz/fem/stvk.hpp"
+#include "ritz/fem/response.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "support/allocations.hpp"
 #include "support/problem.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 using test::allocations;
 
-const std::vector<fem::StVK> materials = {test::soft};
+const fem::Materials materials = {test::soft};
 
 /// A number of vertex, component and column that no other has.
 double value(mesh::Index global, int number, Eigen::Index column) {

@@ -43,6 +43,32 @@ TEST_P(Cells, AvfKeepsTheEnergy) {
   EXPECT_LE(report.largest_drift, 1e-9 * last.energies.start);
 }
 
+// A force that is no polynomial: four points leave nothing to be seen.
+TEST_P(Cells, AvfKeepsTheEnergyOfAnotherLaw) {
+  FullRun run{problem(box("box:1,.15,.1/6,1,1/" + std::string(GetParam())), {fixed("xmin")}, neo_hookean({soft}))};
+  auto start = run.rest();
+  start.u = run.statics(end_force(run, {0, 4, 10}), 2);
+  stages::DynamicReport report;
+  const auto last =
+      run.motion({.integrator = FullIntegrator::avf, .dt = .02}, start, 100, constant(run.zeros()), &report);
+  EXPECT_EQ(report.rejected, 0);
+  EXPECT_GT(last.energies.start, .1);
+  EXPECT_LE(report.largest_drift, 1e-9 * last.energies.start);
+}
+
+// Newmark's rule loses none of its order.
+TEST_P(Cells, AnotherLawHasTheOrderOfItsRule) {
+  FullRun run{problem(box("box:1,.15,.1/6,1,1/" + std::string(GetParam())), {fixed("xmin")}, neo_hookean({soft}))};
+  const Tall F = end_force(run, {0, 3, 8});
+  const auto load = [&](double t) -> Tall { return std::pow(std::sin(3 * t), 2) * F; };
+  const auto at = [&](int n) {
+    return run.motion({.integrator = FullIntegrator::newmark, .dt = .4 / n}, run.rest(), n, load).u;
+  };
+  const Tall reference = at(160);
+  EXPECT_NEAR(std::log2(stages::norm(run.model, at(20) - reference) / stages::norm(run.model, at(40) - reference)), 2,
+              .2);
+}
+
 TEST_P(Cells, HaveTheirOrdersOfAccuracy) {
   FullRun run = beam(GetParam());
   const Tall F = end_force(run, {0, 3, 8});

@@ -46,12 +46,12 @@ class Patch : public testing::TestWithParam<const char*> {
     return found;
   }
 
-  Problem body = problem(box(std::string("box:1,.8,.9/4,3,3/") + GetParam()), {}, {{1e5, .3, 1000}});
+  Problem body = problem(box(std::string("box:1,.8,.9/4,3,3/") + GetParam()), {}, {test::stvk(1e5, .3, 1000)});
   mesh::Mesh& mesh = body.mesh;
 };
 
 TEST_P(Patch, InnerVerticesFeelNoForce) {
-  const double E = body.materials[0].young;
+  const double E = body.materials[0].at_rest().young();
   Eigen::Matrix3d gradient;
   gradient << .3, -.2, .1, .15, -.25, .05, -.1, .2, .4;
   petsc::Tall u(3 * mesh.owned, 1);

@@ -15,11 +15,10 @@ namespace fs = std::filesystem;
 
 const fs::path shared = RITZ_SHARED;
 
-std::vector<fem::StVK> own_materials(const mesh::Mesh& mesh) {
-  std::vector<fem::StVK> materials;
+fem::Materials own_materials(const mesh::Mesh& mesh) {
+  fem::Materials materials;
   for (const auto& [name, m, parts, overlap] : mesh.regions)
-    materials.push_back(
-        {m.young.value_or(soft.young), m.poisson.value_or(soft.poisson), m.density.value_or(soft.density)});
+    materials.push_back(test::stvk(m.young.value_or(1e6), m.poisson.value_or(.3), m.density.value_or(1000)));
   return materials;
 }
 

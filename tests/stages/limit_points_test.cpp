@@ -18,7 +18,7 @@ namespace ritz::test {
 namespace {
 
 constexpr double E = 1e5;
-constexpr fem::StVK rubber = {E, .3, 1000};
+constexpr fem::Material rubber = test::stvk(E, .3, 1000);
 
 /// What statics that must fail say of it; `reached` is called after each step.
 std::string complaint(
@@ -49,7 +49,7 @@ struct Confined {
         run{problem(box("box:1,1,1/2,1,1/hex8"),
                     {fixed("xmin"), fixed("xmax", {0, 1, 1}), fixed("ymin", {0, 1, 0}), fixed("ymax", {0, 1, 0}),
                      fixed("zmin", {0, 0, 1}), fixed("zmax", {0, 0, 1})},
-                    {{E, poisson, 1000}}),
+                    {test::stvk(E, poisson, 1000)}),
             solver} {}
 
   double limit() const { return modulus * 2 / (3 * std::sqrt(3)); }

@@ -62,7 +62,7 @@ TEST(LinearCells, AJumpOfStiffnessIsNoError) {
   halves.regions.push_back({"stiff", {}});
   for (int c = 0; c < halves.cells.count(); ++c)
     halves.cells.regions[static_cast<std::size_t>(c)] = halves.corners(c).row(0).mean() > .5;
-  const fem::StVK soft_half = {1e6, 0, 1000}, stiff_half = {1e8, 0, 1000};
+  const fem::Material soft_half = test::stvk(1e6, 0, 1000), stiff_half = test::stvk(1e8, 0, 1000);
   const Problem p = problem(std::move(halves), bar.supports, {soft_half, stiff_half});
   EXPECT_LT(estimate(p, modes(p, 1)), .02);
 }

@@ -29,7 +29,7 @@ class Polynomial : public testing::TestWithParam<Case> {
   const Tall U = basis_of(r, {.modes = {}, .derivatives = 4, .cut = {.size = 7, .tolerance = 1e-12}}).U;
   const Tall u = mesh::to_vertices(r.p.mesh, r.p.dofs, U);
   const MPI_Comm comm = r.p.mesh.comm;
-  const model::Polynomial polynomial = stages::reduce_polynomial(r.p, u);
+  const model::Polynomial polynomial = stages::reduce_polynomial(r.p, *stages::polynomial_laws(r.p.materials), u);
 
   Eigen::VectorXd sample(int decade) const {
     Eigen::VectorXd z(U.cols());

@@ -12,9 +12,9 @@ namespace {
 constexpr int count = 8;
 
 /// ω L √(ρ/E) of a clamped or a free beam.
-Eigen::VectorXd dimensionless(const Problem& p, const fem::StVK& material, double length) {
+Eigen::VectorXd dimensionless(const Problem& p, const fem::Material& material, double length) {
   return flexible(modes(p, count).modes).head(count).cwiseSqrt() * length *
-         std::sqrt(material.density / material.young);
+         std::sqrt(material.density / material.at_rest().young());
 }
 
 class Scaling : public testing::TestWithParam<bool> {
@@ -22,12 +22,13 @@ class Scaling : public testing::TestWithParam<bool> {
   std::vector<mesh::Fixed> supports = GetParam() ? std::vector<mesh::Fixed>{} : std::vector{fixed("xmin")};
 
   /// The beam whose length is `length` in numbers, in a unit system.
-  Eigen::VectorXd beam(const std::string& units, double length, const fem::StVK& material) {
+  Eigen::VectorXd beam(const std::string& units, double length, const fem::Material& material) {
     mesh::Source source;
     source.mesh = mesh::Box{{length, .1 * length, .06 * length}, {6, 1, 1}, fem::CellType::tet10};
     source.units = mesh::parse_units(units);
-    const auto of_file = source.units.to_si({.young = material.young, .poisson = {}, .density = material.density});
-    const fem::StVK si{*of_file.young, material.poisson, *of_file.density};
+    const auto of_file =
+        source.units.to_si({.young = material.at_rest().young(), .poisson = {}, .density = material.density});
+    const fem::Material si = test::stvk(*of_file.young, material.at_rest().poisson(), *of_file.density);
     return dimensionless(problem(mesh::read(MPI_COMM_WORLD, source), supports, {si}), si, length * source.units.length);
   }
 

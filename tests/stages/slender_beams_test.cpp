@@ -13,7 +13,7 @@ constexpr double ratio = 2;   // of the two directions: width over height
 
 /// (βL)² √(EI/ρA) / (2π L²), Hz, of a rectangle bending over its side `depth`.
 double euler_bernoulli(double beta_L, double depth) {
-  return beta_L * beta_L * std::sqrt(soft.young * depth * depth / 12 / soft.density) /
+  return beta_L * beta_L * std::sqrt(soft.at_rest().young() * depth * depth / 12 / soft.density) /
          (2 * std::numbers::pi * length * length);
 }
 

@@ -10,7 +10,7 @@ namespace ritz::test {
 namespace {
 
 constexpr double length = 12, width = 1.1, depth = .32;  // the benchmark's own units, taken as SI
-constexpr fem::StVK material = {29e6, .22, 1};
+constexpr fem::Material material = test::stvk(29e6, .22, 1);
 
 /// The straight box with its section centred on the axis, then turned by 90 degrees along its length.
 mesh::Mesh twisted_beam() {

@@ -45,6 +45,12 @@ void expect_small_residuals(const Problem& p, const stages::ModesResult& result)
 
 }  // namespace
 
+fem::Materials neo_hookean(fem::Materials materials) {
+  for (auto& material : materials)
+    material.law = fem::NeoHookean{material.at_rest().young(), material.at_rest().poisson()};
+  return materials;
+}
+
 mesh::Mesh box(const std::string& text) {
   mesh::Source source;
   source.mesh = mesh::parse_box(text);
@@ -64,7 +70,7 @@ mesh::Fixed fixed_between(const Eigen::Vector3d& low, const Eigen::Vector3d& hig
   return {mesh::Region3{low, high}, components, "box"};
 }
 
-Problem problem(mesh::Mesh mesh, const std::vector<mesh::Fixed>& supports, const std::vector<fem::StVK>& materials) {
+Problem problem(mesh::Mesh mesh, const std::vector<mesh::Fixed>& supports, const fem::Materials& materials) {
   mesh::Dofs dofs = mesh::number(mesh, supports, mesh::FileSupports::used);
   return stages::assemble(std::move(mesh), std::move(dofs), materials);
 }

@@ -7,7 +7,14 @@
 
 namespace ritz::test {
 
-inline constexpr fem::StVK soft = {1e6, .3, 1000};  ///< the beams' material: Pa, 1, kg/m³
+/// St. Venant-Kirchhoff: Pa, 1, kg/m³.
+constexpr fem::Material stvk(double young, double poisson, double density) {
+  return {fem::StVK{young, poisson}, density};
+}
+/// The same constants at rest in another law: the same K and M.
+fem::Materials neo_hookean(fem::Materials materials);
+
+inline constexpr fem::Material soft = stvk(1e6, .3, 1000);  ///< the beams' material
 
 using stages::Problem;
 
@@ -21,8 +28,7 @@ mesh::Fixed fixed_between(const Eigen::Vector3d& low, const Eigen::Vector3d& hig
                           std::array<bool, 3> components = {true, true, true});
 
 /// Numbers and assembles. *Collective*.
-Problem problem(mesh::Mesh mesh, const std::vector<mesh::Fixed>& supports,
-                const std::vector<fem::StVK>& materials = {soft});
+Problem problem(mesh::Mesh mesh, const std::vector<mesh::Fixed>& supports, const fem::Materials& materials = {soft});
 
 /// The modes, checked by `expect_sound`. *Collective*.
 stages::ModesResult modes(const Problem& p, stages::ModesOptions options);

@@ -18,7 +18,7 @@ inline model::Geometry sample_geometry() {
   g.vertex_ids = {10, 20, 30, 41};
   g.cells = {{10}, {0, 4}, {0, 1, 2, 3}};
   g.sets = {{"tip", {1}, 1}, {"end/of 50% cells", {0, 1}, 2}, {"inner", {}, 3}};
-  g.materials = {{"steel", {200e9, 0.3, 7800}}, {"rubber", {1e6, 0.49, 1000}}};
+  g.materials = {{"steel", {fem::StVK{200e9, 0.3}, 7800}}, {"rubber", {fem::NeoHookean{1e6, 0.49}, 1000}}};
   return g;
 }
 

@@ -1,6 +1,6 @@
 // The stiffness of one cell at rest.
 #pragma once
-#include "ritz/fem/material.hpp"
+#include "ritz/fem/law.hpp"
 #include "ritz/fem/strain.hpp"
 
 namespace ritz::fem {
@@ -8,6 +8,6 @@ namespace ritz::fem {
 /// K = ∫ ∂²W/∂u² at u = 0 by the element's own rule, N/m, exactly symmetric; row 3a + i is component i of vertex a.
 /// Its blocks are K_ab = λ P + μ Pᵀ + μ tr(P) I with P = ∫ ∇N_a ∇N_bᵀ. Allocates nothing.
 template <class E>
-Matrix<3 * E::vertices, 3 * E::vertices> stiffness(const Coordinates<E>& x, const StVK& material);
+Matrix<3 * E::vertices, 3 * E::vertices> stiffness(const Coordinates<E>& x, const ElasticConstants& material);
 
 }  // namespace ritz::fem

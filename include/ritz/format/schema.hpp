@@ -10,7 +10,7 @@ namespace ritz::format::schema {
 
 inline constexpr std::string_view format_name = "ritz-model";
 inline constexpr int major = 1;  ///< raised when an older reader would misread the file
-inline constexpr int minor = 1;  ///< raised when something is added that an older reader may ignore
+inline constexpr int minor = 2;  ///< raised when something is added that an older reader may ignore
 
 // Attributes of the root.
 inline constexpr auto format = "format";
@@ -56,8 +56,7 @@ inline constexpr auto set_rows = "rows";
 inline constexpr auto full_count = "full_count";
 inline constexpr auto materials = "materials";
 inline constexpr auto regions = "regions";
-inline constexpr auto young = "young";
-inline constexpr auto poisson = "poisson";
+inline constexpr auto laws = "laws";
 inline constexpr auto density = "density";
 
 // basis

@@ -32,7 +32,7 @@ struct VertexSet {
 
 struct RegionMaterial {
   std::string region;
-  fem::StVK material;
+  fem::Material material;
 };
 
 enum class Rows : std::uint8_t { all, surface };
@@ -112,7 +112,7 @@ struct Reduction {
   double discarded = 0;  ///< √(Σσ² of all that U leaves out), a bound for what was never computed included; as σ
 };
 
-/// The StVK energy over U (Sec. 3.1), exact for the elements' quadrature rules:
+/// The energy of St. Venant-Kirchhoff material over U (Sec. 3.1), exact for the elements' quadrature rules:
 /// Ẽ(z) = ½ A_ij z_i z_j + ⅙ B_ijk z_i z_j z_k + 1/24 C_ijkl z_i z_j z_k z_l, with A, B, C fully symmetric (the second,
 /// third and fourth derivatives of Ẽ at rest). Each is stored once: i ≤ j ≤ k ≤ l in lexicographic order.
 struct Polynomial {

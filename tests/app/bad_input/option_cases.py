@@ -137,8 +137,10 @@ MATERIALS = [
     bad("a region's Poisson's ratio of .7", "-material_body_poisson .7", "Poisson", "0.7"),
     bad("no mass", "-material_density 0", "density", "positive"),
     bad("a mass beyond numbers", "-material_density 1e400", "-material_density 1e400"),
-    bad("a law that is not there", "-material_law neohooke", "neohooke", "stvk"),
-    bad("a region's law that is not there", "-material_body_law neohooke", "neohooke", "stvk"),
+    bad("a law that is not there", "-material_law neohooke", "neohooke", "neo-hookean"),
+    bad("a polynomial of a law that has none", "-material_law neo-hookean -derivatives 2 -polynomial", "-polynomial",
+        "'body'", "neo-hookean"),
+    bad("a region's law that is not there", "-material_body_law neohooke", "neohooke", "neo-hookean"),
 ]
 
 OUTPUT = [

@@ -12,7 +12,7 @@
 namespace ritz::app {
 
 /// This rank's slice of the stored geometry, and where rows of the mesh go.
-struct FileOrder {
+struct FileGeometry {
   model::Geometry geometry;
   format::GeometrySlices slices;
   std::vector<std::int64_t> row_of_owned;  ///< stored row of each owned vertex, or -1 where it is not stored
@@ -26,6 +26,6 @@ struct FileOrder {
 parallel::RowMatrix by_vertex(mesh::VertexRef u);
 
 /// All vertices and solid cells, or the surface's vertices and faces. *Collective*.
-FileOrder file_order(const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials, config::StoredRows rows);
+FileGeometry file_geometry(const mesh::Mesh& mesh, const fem::Materials& materials, config::StoredRows rows);
 
 }  // namespace ritz::app

@@ -1,4 +1,4 @@
-#include "ritz/app/geometry.hpp"
+#include "ritz/app/file_geometry.hpp"
 
 #include <algorithm>
 
@@ -76,7 +76,7 @@ Drawn drawn_cells(const mesh::Mesh& mesh, const std::vector<int64_t>& positions,
   return drawn;
 }
 
-void add_cells(const mesh::Mesh& mesh, const Drawn& drawn, FileOrder& order) {
+void add_cells(const mesh::Mesh& mesh, const Drawn& drawn, FileGeometry& order) {
   const auto rows =
       parallel::sorted_by_key(mesh.comm, drawn.keys, drawn.rows, cell_width, mesh.cells_total * faces_a_cell);
   auto& cells = order.geometry.cells;
@@ -129,12 +129,12 @@ Stored stored_of(const std::vector<int64_t>& row_of_owned) {
 
 }  // namespace
 
-parallel::RowMatrix FileOrder::to_file(MPI_Comm comm, const parallel::RowMatrix& owned) const {
+parallel::RowMatrix FileGeometry::to_file(MPI_Comm comm, const parallel::RowMatrix& owned) const {
   const Stored stored = stored_of(row_of_owned);
   return parallel::to_slices(comm, stored.rows, owned(stored.vertices, Eigen::all), slices.vertices.total);
 }
 
-std::vector<int64_t> FileOrder::to_file(MPI_Comm comm, std::span<const int64_t> owned) const {
+std::vector<int64_t> FileGeometry::to_file(MPI_Comm comm, std::span<const int64_t> owned) const {
   const Stored stored = stored_of(row_of_owned);
   std::vector<int64_t> kept;
   for (const auto v : stored.vertices) kept.push_back(owned[v]);
@@ -145,8 +145,8 @@ parallel::RowMatrix by_vertex(mesh::VertexRef u) {
   return Eigen::Map<const parallel::RowMatrix>(u.data(), u.rows() / 3, 3);
 }
 
-FileOrder file_order(const mesh::Mesh& mesh, const std::vector<fem::StVK>& materials, config::StoredRows rows) {
-  FileOrder order;
+FileGeometry file_geometry(const mesh::Mesh& mesh, const fem::Materials& materials, config::StoredRows rows) {
+  FileGeometry order;
   const auto keep = stored(mesh, rows);
   const auto positions = stored_positions(mesh, keep);
   for (std::size_t v = 0; v < keep.size(); ++v)

@@ -1,0 +1,101 @@
+// What a material law is: how a material stores energy and resists, as a function of the displacement gradient.
+//
+// With u the displacement, G = ∇u (G_ij = ∂u_i/∂X_j) and F = I + G the deformation gradient. A law is given G and not
+// F, because small strains would lose their digits in F.
+#pragma once
+#include <cmath>
+#include <concepts>
+#include <limits>
+
+#include "ritz/fem/types.hpp"
+
+namespace ritz::fem {
+
+/// At one point. A state that the law does not know (det F ≤ 0 under a logarithm) has the energy NaN, and whoever
+/// solves for an equilibrium rejects it.
+struct Response {
+  double energy;        ///< W, J/m³ of the body at rest
+  Matrix<3, 3> stress;  ///< P = ∂W/∂F, first Piola-Kirchhoff, Pa
+};
+
+/// ∂P/∂F, Pa, symmetric: row i + 3j is P_ij, column k + 3l is F_kl.
+using Moduli = Matrix<9, 9>;
+
+/// An isotropic law near rest, by Lamé's constants and Landau's three constants of third order, all Pa:
+/// W = λ/2 tr²E + μ tr E² + A/3 tr E³ + B tr E tr E² + C/3 tr³E + O(E⁴), E the Green-Lagrange strain
+/// [Landau and Lifshitz, Theory of Elasticity, § 26]. Vibrations depend on λ and μ, modal derivatives on all five.
+struct ElasticConstants {
+  double lambda, mu;
+  double A = 0, B = 0, C = 0;
+
+  double young() const { return mu * (3 * lambda + 2 * mu) / (lambda + mu); }
+  double poisson() const { return lambda / (2 * (lambda + mu)); }
+  bool has_third_order() const { return A != 0 || B != 0 || C != 0; }
+};
+
+/// One number that a law is told, and the open interval it must lie in.
+struct Parameter {
+  const char* name;   ///< in options and files
+  const char* words;  ///< in sentences
+  const char* units;
+  double above, below;
+};
+
+inline constexpr Parameter young_modulus = {"young", "Young's modulus", "Pa", 0,
+                                            std::numeric_limits<double>::infinity()};
+inline constexpr Parameter poisson_ratio = {"poisson", "Poisson's ratio", "1", -1, .5};
+
+/// A law is a struct of its parameters, in the order of L::parameters, with these members. It has no stress at rest:
+/// response(0) is zero.
+template <class L>
+concept Law = requires(const L& law, const Matrix<3, 3>& G) {
+  { L::name } -> std::convertible_to<const char*>;  ///< as users write it
+  { L::parameters[0] } -> std::convertible_to<Parameter>;
+  { law.values()[0] } -> std::convertible_to<double>;
+  { law.response(G) } -> std::same_as<Response>;
+  { law.moduli(G) } -> std::same_as<Moduli>;
+  { law.at_rest() } -> std::same_as<ElasticConstants>;
+};
+
+/// A law whose force is a polynomial in the displacement, of degree L::force_degree. Whatever is exact for such laws
+/// alone asks for this.
+template <class L>
+concept PolynomialLaw = Law<L> && requires {
+  { L::force_degree } -> std::convertible_to<int>;
+};
+
+/// a B_ij B_kl + b B_il B_kj, which the moduli of many laws are made of.
+inline Moduli moduli_of_products(const Matrix<3, 3>& B, double a, double b) {
+  Moduli A;
+  for (int l = 0; l < 3; ++l)
+    for (int j = 0; j < 3; ++j)
+      A.block<3, 3>(3 * j, 3 * l) = a * B.col(j) * B.col(l).transpose() + b * B.col(l) * B.col(j).transpose();
+  return A;
+}
+
+/// J − 1 − tr G = det(I + G) − 1 − tr G, to full relative precision for small G.
+inline double nonlinear_volume_change(const Matrix<3, 3>& G) {
+  const double minors = G(0, 0) * G(1, 1) - G(0, 1) * G(1, 0) + G(1, 1) * G(2, 2) - G(1, 2) * G(2, 1) +
+                        G(2, 2) * G(0, 0) - G(2, 0) * G(0, 2);
+  const double determinant = G(0, 0) * (G(1, 1) * G(2, 2) - G(1, 2) * G(2, 1)) -
+                             G(0, 1) * (G(1, 0) * G(2, 2) - G(1, 2) * G(2, 0)) +
+                             G(0, 2) * (G(1, 0) * G(2, 1) - G(1, 1) * G(2, 0));
+  return minors + determinant;
+}
+
+/// x − ln(1 + x), to full relative precision for small x, by ln(1 + x) = 2 artanh(x / (2 + x)).
+inline double less_its_logarithm(double x) {
+  if (std::abs(x) > .25) return x - std::log1p(x);
+  const double s = x / (2 + x), square = s * s;
+  double tail = 0;  // Σ s^(2k) / (2k + 1) for k = 1, 2, …, the last term below 1e-17
+  for (int k = 9; k > 0; --k) tail = square * (tail + 1. / (2 * k + 1));
+  return s * (x - 2 * tail);
+}
+
+/// What a law answers to a state that it does not know.
+inline Response unknown() {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  return {nan, Matrix<3, 3>::Constant(nan)};
+}
+
+}  // namespace ritz::fem

@@ -1,0 +1,103 @@
+#include "ritz/app/reduced_parts.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "ritz/app/snapshots.hpp"
+#include "ritz/base/error.hpp"
+#include "ritz/stages/reduce_polynomial.hpp"
+
+namespace ritz::app {
+namespace {
+
+/// Of whoever asks for a polynomial of other laws the options have been refused before.
+stages::PolynomialLaws polynomial_laws(const stages::Problem& problem) {
+  return stages::polynomial_laws(problem.materials).value();
+}
+
+double figure(const stages::Figures& figures, const std::string& name) {
+  for (const auto& [key, value] : figures)
+    if (key == name) return value;
+  return 0;
+}
+
+template <class... Values>
+std::string line(const char* format, Values... values) {
+  char text[256];
+  std::snprintf(text, sizeof text, format, values...);
+  return text;
+}
+
+stages::Figures taylor(const stages::Problem& problem, const stages::ModesResult& modes,
+                       const std::vector<int>& chosen) {
+  const petsc::Tall entering = stages::entering_modes(modes, chosen).vectors;
+  return stages::taylor_witness({problem, modes, entering, static_cast<int>(entering.cols())});
+}
+
+stages::BasisResult accurate(const stages::Problem& problem, const stages::ModesResult& modes,
+                             const stages::StaticPath& path, double target, const stages::ModesProgress& progress) {
+  auto [basis, chosen] = stages::accurate_basis(problem, polynomial_laws(problem), modes, path, target, progress);
+  basis.figures.insert(basis.figures.end(), {{"accuracy_target", target},
+                                             {"accuracy_error", chosen.error},
+                                             {"accuracy_modes", chosen.modes},
+                                             {"accuracy_columns", chosen.columns}});
+  return std::move(basis);
+}
+
+}  // namespace
+
+ReducedBasis reduce_basis(const config::Config& config, const stages::Problem& problem,
+                          const stages::ModesResult& modes, const std::optional<stages::StaticPath>& path,
+                          Progress& progress) {
+  if (!config.basis) return {modes.vectors, {}, {}};
+  petsc::Tall snapshots(problem.dofs.owned, 0);
+  if (config.snapshots) snapshots = read_snapshots(*config.snapshots, problem.mesh, problem.dofs);
+  const auto told = [&](const std::string& what, double fraction) { progress.update(what, fraction); };
+  auto basis = progress.stage("basis", [&] {
+    return path ? accurate(problem, modes, *path, config.accuracy->target, told)
+                : stages::basis(problem, modes, snapshots, *config.basis, told);
+  });
+  if (config.basis->derivatives > 0 || config.accuracy) {
+    const auto witness = progress.stage("witness", [&] { return taylor(problem, modes, config.basis->modes); });
+    basis.figures.insert(basis.figures.end(), witness.begin(), witness.end());
+  }
+  return {std::move(basis.U), std::move(basis.reduction), std::move(basis.figures)};
+}
+
+ReducedPolynomial reduce_forces(const config::Config& config, const stages::Problem& problem, const mesh::VertexRows& u,
+                                Progress& progress) {
+  if (config.forces == config::ReducedForces::none) return {};
+  if (u.cols() > stages::most_coordinates)
+    throw InputError("a polynomial of " + std::to_string(u.cols()) + " coordinates is too large (at most " +
+                     std::to_string(stages::most_coordinates) + "); give -basis R, such as -basis 30");
+  auto value =
+      progress.stage("polynomial", [&] { return stages::reduce_polynomial(problem, polynomial_laws(problem), u); });
+  auto witness = progress.stage("witness", [&] { return stages::polynomial_witness(problem, u, value); });
+  return {std::move(value), std::move(witness)};
+}
+
+std::string basis_lines(const ReducedBasis& basis, const ReducedPolynomial& polynomial, const model::Inertia& inertia) {
+  if (!basis.reduction) return "";
+  const auto& sigma = basis.reduction->singular_values;
+  std::string text = line("basis: %td columns; singular values %.3g ... %.3g of %td found, %.3g left out\n",
+                          basis.reduction->stiffness.size(), sigma[0], sigma[basis.reduction->stiffness.size() - 1],
+                          sigma.size(), basis.reduction->discarded);
+  const Eigen::RowVector3d masses = 100 / inertia.mass() * inertia.effective_masses().colwise().sum();
+  text += line("effective mass of the basis, all columns: %.2f %% %.2f %.2f\n", masses[0], masses[1], masses[2]);
+  if (const double pairs = figure(basis.figures, "derivative_pairs"); pairs > 0)
+    text += line("modal derivatives: %.0f pairs, %.0f solved, %.0f too small to matter; Taylor slope %.3f\n", pairs,
+                 figure(basis.figures, "derivatives_solved"), figure(basis.figures, "derivatives_skipped"),
+                 figure(basis.figures, "witness_taylor_slope"));
+  if (const double target = figure(basis.figures, "accuracy_target"); target > 0)
+    text +=
+        line("accuracy: %.0f columns of %.0f modes and their derivatives; error on the static path %.2e (%.2e asked)\n",
+             figure(basis.figures, "accuracy_columns"), figure(basis.figures, "accuracy_modes"),
+             figure(basis.figures, "accuracy_error"), target);
+  if (polynomial.value)
+    text += line("polynomial: %td quartic coefficients; against the full model: force %.1e, energy %.1e, K(0) %.1e\n",
+                 polynomial.value->quartic.size(), figure(polynomial.witness, "witness_force"),
+                 figure(polynomial.witness, "witness_energy"), figure(polynomial.witness, "witness_stiffness"));
+  return text;
+}
+
+}  // namespace ritz::app
