@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Puts the tables of a report into the README: what stands between <!-- NAME --> and <!-- /NAME --> is replaced.
+"""Puts the tables of a report into the documentation: what stands between <!-- NAME --> and <!-- /NAME --> is replaced.
 
-    readme_tables.py [report [README.md]]
+    doc_tables.py [report [docs]]
 
 reads report/runs.csv (reach), report/lean.csv (lean) and report/stability.csv (stability), which scripts/report.sh and
-scripts/stability.sh write, and copies the diagram of the first scene to docs/work_precision.png."""
+scripts/stability.sh write, puts them into docs/report.md and docs/stability.md, and copies the diagram of the first scene to
+docs/work_precision.png."""
 import csv
 import shutil
 import sys
@@ -52,21 +53,19 @@ def stability(folder):
 def replaced(text, name, new):
     begin, end = f"<!-- {name} -->\n", f"<!-- /{name} -->"
     if text.count(begin) != 1 or text.count(end) != 1:
-        raise SystemExit(f"the README has no place for the table '{name}': mark it with {begin.strip()} and {end}")
+        raise SystemExit(f"the page has no place for the table '{name}': mark it with {begin.strip()} and {end}")
     return text[:text.index(begin) + len(begin)] + "\n" + new + "\n" + text[text.index(end):]
 
 
-def main(report="report", readme="README.md"):
-    report, readme = Path(report), Path(readme)
-    text = readme.read_text()
-    for name, source, make in (("reach", "runs.csv", reach), ("lean", "lean.csv", lean_rows),
-                               ("stability", "stability.csv", stability)):
+def main(report="report", docs="docs"):
+    report, docs = Path(report), Path(docs)
+    for name, source, make, page in (("reach", "runs.csv", reach, "report.md"), ("lean", "lean.csv", lean_rows, "report.md"),
+                                     ("stability", "stability.csv", stability, "stability.md")):
         if (report / source).exists():
-            text = replaced(text, name, make(report))
-    readme.write_text(text)
+            (docs / page).write_text(replaced((docs / page).read_text(), name, make(report)))
     rows = table.read(report / "runs.csv")
     if rows:
-        shutil.copy(report / f"{rows[0]['scene']}_work_precision.png", readme.parent / "docs/work_precision.png")
+        shutil.copy(report / f"{rows[0]['scene']}_work_precision.png", docs / "work_precision.png")
 
 
 if __name__ == "__main__":
