@@ -4,6 +4,8 @@
 #include <iomanip>
 #include <sstream>
 
+#include "ritz/fem/material.hpp"
+
 namespace ritz::config {
 namespace {
 
@@ -25,8 +27,8 @@ constexpr std::array entries = std::to_array<OptionEntry>({
      "Young's modulus; -material_REGION_young for one region, _ for a blank in its name"},
     {"material_poisson", "NU", "-1 < nu < 0.5", "the mesh file's", "Poisson's ratio; -material_REGION_poisson"},
     {"material_density", "RHO", "kg/m3, > 0", "the mesh file's", "density; -material_REGION_density"},
-    {"material_law", "stvk | neo-hookean", "", "stvk",
-     "the law, of Young's modulus and Poisson's ratio at rest; -material_REGION_law. Modes are the same for all laws"},
+    {"material_law", "LAW", "", fem::default_law,
+     "the law, one of those below; -material_REGION_law. Modes are the same for all that are alike at rest"},
     {"modes", "K", "0 ... ", "20", "flexible modes wanted; a cluster at K is kept whole, rigid modes are extra"},
     {"modes_block", "P", "1 ... 64", "4", "block size of the Lanczos iteration"},
     {"modes_tolerance", "T", "1e-14 ... 1e-2", "1e-10", "relative residual at which Lanczos stops"},
@@ -90,6 +92,8 @@ std::string help_text(std::string_view program) {
     out << "      " << (e.unit.empty() ? "" : "[") << e.unit << (e.unit.empty() ? "" : "] ")
         << (e.fallback.empty() ? "" : "default: ") << e.fallback << '\n';
   }
+  out << "\nlaws:";
+  for (const auto name : fem::law_names()) out << ' ' << name;
   out << "\nsolvers: options under -solve_ksp_, -solve_pc_ and -solve_mat_mumps_ reach the factorization, those under\n"
          "-multigrid_pc_ the levels of the multigrid, those under -newton_snes_ the Newton iterations of ritz-full; "
          "any option under -modes_eps_ or -modes_st_ hands the modes of "

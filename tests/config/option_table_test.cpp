@@ -22,6 +22,7 @@ TEST(Help, ListsEveryOption) {
     EXPECT_THAT(text, HasSubstr(std::string(entry.fallback)));
     EXPECT_FALSE(entry.text.empty()) << entry.name;
   }
+  for (const auto law : fem::law_names()) EXPECT_THAT(text, HasSubstr(" " + std::string(law)));
   EXPECT_THAT(text, HasSubstr("exit codes"));
 }
 
