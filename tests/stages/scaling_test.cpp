@@ -38,30 +38,30 @@ class Scaling : public testing::TestWithParam<bool> {
 };
 
 TEST_P(Scaling, UnitSystemsAgree) {
-  const Eigen::VectorXd si = beam("m-kg-s", 1, {1e6, .3, 1000});
-  expect_equal(beam("mm-t-s", 1000, {1, .3, 1e-9}), si, 1e-9);
-  expect_equal(beam("um-kg-s", 1e6, {1, .3, 1e-15}), si, 1e-9);
+  const Eigen::VectorXd si = beam("m-kg-s", 1, test::stvk(1e6, .3, 1000));
+  expect_equal(beam("mm-t-s", 1000, test::stvk(1, .3, 1e-9)), si, 1e-9);
+  expect_equal(beam("um-kg-s", 1e6, test::stvk(1, .3, 1e-15)), si, 1e-9);
 }
 
 TEST_P(Scaling, SizesAgree) {
-  const Eigen::VectorXd metre = beam("m-kg-s", 1, {1e6, .3, 1000});
-  expect_equal(beam("um-kg-s", 1, {1, .3, 1e-15}), metre, 1e-9);
-  expect_equal(beam("m-kg-s", 1e3, {2e11, .3, 7800}), metre, 1e-9);
+  const Eigen::VectorXd metre = beam("m-kg-s", 1, test::stvk(1e6, .3, 1000));
+  expect_equal(beam("um-kg-s", 1, test::stvk(1, .3, 1e-15)), metre, 1e-9);
+  expect_equal(beam("m-kg-s", 1e3, test::stvk(2e11, .3, 7800)), metre, 1e-9);
 }
 
 TEST_P(Scaling, DensitiesAgree) {
-  const Eigen::VectorXd plain = beam("m-kg-s", 1, {1e6, .3, 1000});
+  const Eigen::VectorXd plain = beam("m-kg-s", 1, test::stvk(1e6, .3, 1000));
   for (const double density : {1e-12, 1e-6, 1., 1e6, 1e12}) {
     SCOPED_TRACE(density);
-    expect_equal(beam("m-kg-s", 1, {1e6, .3, density}), plain, 1e-9);
+    expect_equal(beam("m-kg-s", 1, test::stvk(1e6, .3, density)), plain, 1e-9);
   }
 }
 
 TEST_P(Scaling, StiffnessesAgree) {
-  const Eigen::VectorXd plain = beam("m-kg-s", 1, {1e6, .3, 1000});
+  const Eigen::VectorXd plain = beam("m-kg-s", 1, test::stvk(1e6, .3, 1000));
   for (const double young : {1e-6, 1., 1e12}) {
     SCOPED_TRACE(young);
-    expect_equal(beam("m-kg-s", 1, {young, .3, 1000}), plain, 1e-9);
+    expect_equal(beam("m-kg-s", 1, test::stvk(young, .3, 1000)), plain, 1e-9);
   }
 }
 
