@@ -39,7 +39,7 @@ inline Problem box_of(const std::string& text, bool free, bool two = false) {
   mesh.regions.push_back({"stiff", std::nullopt});
   for (int c = 0; c < mesh.cells.count(); ++c)
     mesh.cells.regions[static_cast<std::size_t>(c)] = mesh.corners(c).row(0).mean() > .5;
-  return problem(std::move(mesh), supports, {soft, {5e6, .4, 2000}});
+  return problem(std::move(mesh), supports, {soft, stvk(5e6, .4, 2000)});
 }
 
 /// All derivatives of the first modes, a column a pair. *Collective*.
