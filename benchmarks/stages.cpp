@@ -52,11 +52,11 @@ void measure(const char* text, int points) {
   source.mesh = mesh::parse_box(text);
   auto read = mesh::read(MPI_COMM_WORLD, source);
   auto numbered = mesh::number(read, {}, mesh::FileSupports::ignored);
-  const auto problem = stages::assemble(std::move(read), std::move(numbered), {{1e6, .3, 1000}});
+  const auto problem = stages::assemble(std::move(read), std::move(numbered), {{fem::StVK{1e6, .3}, 1000}});
   const auto& [mesh, dofs, materials, matrices] = problem;
   for (const int r : {20, 30, 40}) {
     const petsc::Tall u = stages::fixed_vectors(mesh, dofs, r, 1);
-    const double time = seconds([&] { stages::reduce_polynomial(problem, u); });
+    const double time = seconds([&] { stages::reduce_polynomial(problem, *stages::polynomial_laws(materials), u); });
     const double rate = 6.0 * points * static_cast<double>(mesh.cells_total) * flops_a_strain(r) / time;
     const double dsyrk = dsyrk_rate(r);
     std::printf("%-28s r = %2d  polynomial %6.2f s, %5.1f GF/s, dsyrk %5.1f GF/s: ratio %.2f\n", text, r, time,

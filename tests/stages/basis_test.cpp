@@ -142,7 +142,7 @@ TEST(Basis, UnitsMoveATruncatedSpanAlone) {
     return reduced(problem(box(box_text), {fixed("xmin")}, {material}), 6);
   };
   const Reduced si = beam("box:1,.2,.15/5,2,2/hex8", test::stvk(1e6, .3, 1000));
-  const Reduced mm = beam("box:1000,200,150/5,2,2/hex8", {1, .3, 1e-9});
+  const Reduced mm = beam("box:1000,200,150/5,2,2/hex8", test::stvk(1, .3, 1e-9));
   const auto sine = [&](int size) {
     const stages::BasisOptions options{.modes = {}, .derivatives = 6, .cut = {.size = size, .tolerance = 1e-12}};
     const Tall U = basis_of(si, options).U, V = basis_of(mm, options).U / std::sqrt(1000.);  // 1 t = 1000 kg
