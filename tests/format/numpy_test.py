@@ -48,7 +48,7 @@ with tempfile.TemporaryDirectory() as folder:
     path = os.path.join(folder, "model.h5")
     subprocess.run([os.path.join(os.environ["RITZ_BIN"], "write_sample_model"), path], check=True)
     with h5py.File(path) as file:
-        assert file.attrs["format"] == b"ritz-model" and list(file.attrs["version"]) == [1, 1]
+        assert file.attrs["format"] == b"ritz-model" and list(file.attrs["version"]) == [1, 2]
         file.visititems(check)
         basis = file["bodies/body/basis"]
         columns = [basis["columns"][name][...].ravel() for name in sorted(basis["columns"])]
