@@ -152,6 +152,15 @@ TYPED_TEST(Laws, AreMadeByName) {
   EXPECT_TRUE(std::ranges::count(law_names(), std::string_view(TypeParam::name)));
 }
 
+// As far as a user's mistake goes: the warning that names it states the number.
+TEST(ElasticConstants, AreThoseGivenHoweverLarge) {
+  for (const double young : {1e-200, 1., 1e200}) {
+    const auto elastic = StVK{young, .3}.at_rest();
+    EXPECT_NEAR(elastic.young() / young, 1, 1e-14);
+    EXPECT_NEAR(elastic.poisson(), .3, 1e-14);
+  }
+}
+
 TEST(MakeLaw, KnowsNoOthers) {
   EXPECT_FALSE(make_law("rubber", [](const Parameter&) { return 1.0; }));
 }

@@ -28,7 +28,7 @@ struct ElasticConstants {
   double lambda, mu;
   double A = 0, B = 0, C = 0;
 
-  double young() const { return mu * (3 * lambda + 2 * mu) / (lambda + mu); }
+  double young() const { return mu * ((3 * lambda + 2 * mu) / (lambda + mu)); }  // squares may be beyond numbers
   double poisson() const { return lambda / (2 * (lambda + mu)); }
   bool has_third_order() const { return A != 0 || B != 0 || C != 0; }
 };
