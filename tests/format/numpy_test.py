@@ -22,8 +22,8 @@ def split_mix(x):
 
 def checksum(array):
     total = 0
-    for number, row in enumerate(array):
-        data = np.asarray(row).tobytes()
+    for number in range(len(array)):
+        data = array[number:number + 1].tobytes()  # of a text all its bytes, its zeros too
         data = data.ljust(-(-len(data) // 8) * 8, b"\0")
         value = split_mix(number)
         for at in range(0, len(data), 8):
