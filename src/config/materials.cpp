@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "ritz/base/error.hpp"
 #include "ritz/base/nearest.hpp"
@@ -114,7 +115,8 @@ Place place(const fem::Parameter& parameter, const mesh::Units& units) {
   const std::string_view name = parameter.name;
   if (name == "young") return {&MaterialOptions::young, &mesh::FileMaterial::young, units.pressure()};
   if (name == "poisson") return {&MaterialOptions::poisson, &mesh::FileMaterial::poisson, 1};
-  return {&MaterialOptions::density, &mesh::FileMaterial::density, units.density()};
+  if (name == "density") return {&MaterialOptions::density, &mesh::FileMaterial::density, units.density()};
+  throw std::logic_error("no option states the parameter '" + std::string(name) + "' of a law");
 }
 
 }  // namespace

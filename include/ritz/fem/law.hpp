@@ -33,6 +33,13 @@ struct ElasticConstants {
   bool has_third_order() const { return A != 0 || B != 0 || C != 0; }
 };
 
+/// Lamé's first parameter λ = Eν / ((1+ν)(1−2ν)), Pa.
+inline double lame_lambda(double young, double poisson) {
+  return young * poisson / ((1 + poisson) * (1 - 2 * poisson));
+}
+/// The shear modulus μ = E / (2(1+ν)), Pa.
+inline double shear_modulus(double young, double poisson) { return young / (2 * (1 + poisson)); }
+
 /// One number that a law is told, and the open interval it must lie in.
 struct Parameter {
   const char* name;   ///< in options and files

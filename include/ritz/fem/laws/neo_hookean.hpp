@@ -19,8 +19,8 @@ struct NeoHookean {
 
   static constexpr const char* name = "neo-hookean";
 
-  double lambda() const { return young * poisson / ((1 + poisson) * (1 - 2 * poisson)); }
-  double mu() const { return young / (2 * (1 + poisson)); }
+  double lambda() const { return lame_lambda(young, poisson); }
+  double mu() const { return shear_modulus(young, poisson); }
   /// With ln J = tr(E − E² + 4/3 E³ − …).
   ElasticConstants at_rest() const { return {lambda(), mu(), -4 * mu(), -lambda(), 0}; }
 

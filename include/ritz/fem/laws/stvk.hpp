@@ -19,10 +19,8 @@ struct StVK {
   static constexpr const char* name = "stvk";
   static constexpr int force_degree = 3;
 
-  /// Lamé's first parameter λ, Pa.
-  double lambda() const { return young * poisson / ((1 + poisson) * (1 - 2 * poisson)); }
-  /// Shear modulus μ, Pa.
-  double mu() const { return young / (2 * (1 + poisson)); }
+  double lambda() const { return lame_lambda(young, poisson); }
+  double mu() const { return shear_modulus(young, poisson); }
   ElasticConstants at_rest() const { return {lambda(), mu()}; }
 
   /// E = ½(G + Gᵀ + GᵀG), Green-Lagrange: from G and not from FᵀF − I, which loses small strains.
