@@ -1,7 +1,5 @@
 #include "ritz/app/main_guard.hpp"
 
-#include <hdf5.h>
-
 #include <cstdio>
 #include <new>
 
@@ -10,6 +8,7 @@
 #include "ritz/config/command_line.hpp"
 #include "ritz/config/option_table.hpp"
 #include "ritz/files/interruption.hpp"
+#include "ritz/format/library.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/petsc/options.hpp"
 #include "ritz/petsc/session.hpp"
@@ -49,8 +48,7 @@ int run_program(int argc, char** argv, config::Program program,
                 const std::function<void(MPI_Comm, const config::Config&)>& work) {
   petsc::restart_with_one_blas_thread(argv);
   const std::string name = program == config::Program::full ? "ritz-full" : "ritz-reduce";
-  H5dont_atexit();                              // HDF5 crashes there after a write that failed
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // one sentence of ours instead of HDF5's stack
+  format::silence_library();
   const petsc::Session session(argv[0]);
   const int code = guarded(session.comm(), name, [&] {
     const auto line = config::read_command_line(session.comm(), argc, argv);

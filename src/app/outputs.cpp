@@ -78,7 +78,8 @@ Outputs claim_motion(MPI_Comm comm, const config::Config& config, const scene::S
   plan.outputs.push_back(of_option("output", config.output));
   plan.inputs.push_back(of_option("scene", config.full.scene));
   if (config.full.restart) plan.replaceable.push_back(of_option("restart", *config.full.restart));
-  if (config.full.frames.value_or(1) > 0) plan.outputs.push_back(beside("the file", xdmf_path(config.output)));
+  if (config.full.frames.value_or(1) > 0)
+    plan.outputs.push_back(beside("the file", format::xdmf_path(config.output, "-output " + config.output.string())));
   if (std::holds_alternative<scene::Time>(scene.analysis))
     plan.outputs.push_back(beside("the table", files::table_beside(config.output, "energy")));
   if (!scene.probes.empty()) plan.outputs.push_back(beside("the table", files::table_beside(config.output, "probes")));

@@ -1,21 +1,14 @@
 #include "ritz/app/snapshots.hpp"
 
-#include <hdf5.h>
-
-#include <array>
 #include <cstdint>
 #include <fstream>
 #include <memory>
-#include <optional>
-#include <span>
 #include <string>
 
 #include "ritz/app/npy.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/base/regular_file.hpp"
-#include "ritz/format/checksum.hpp"
-#include "ritz/format/schema.hpp"
-#include "ritz/format/stored_file.hpp"
+#include "ritz/format/motion_reader.hpp"
 #include "ritz/parallel/guard.hpp"
 
 namespace ritz::app {
@@ -56,53 +49,27 @@ class NumpySnapshots : public Snapshots {
   NpyArray array_;
 };
 
-/// Rows of /snapshots of a file that ritz-full wrote, whose checksum is verified with the last of them, or of another.
-class Hdf5Snapshots : public Snapshots {
+/// Of a file that ritz-full wrote, or of another.
+class StoredSnapshots : public Snapshots {
  public:
-  explicit Hdf5Snapshots(const std::filesystem::path& path)
-      : path_(path),
-        in_(path, "option -snapshots " + path.string(), {.kind = "file of snapshots", .writer = "ritz-full"}) {
-    const auto objects = format::survey(in_, std::array<std::string_view, 1>{name}, format::Storage::foreign);
-    if (objects.empty() || objects.front().kind != format::StoredObject::Kind::dataset)
-      refuse_snapshots(path, "the file has no dataset /snapshots; ritz-full writes one when it writes frames");
-    if (objects.front().shape.size() != 2) refuse_snapshots(path, "/snapshots must have two dimensions");
-    count = objects.front().shape[0];
-    length = objects.front().shape[1];
-    dataset_ = format::Dataset(H5Dopen2(in_.file(), name, H5P_DEFAULT));
-    space_ = format::Space(H5Dget_space(dataset_.get()));
-    if (format::has_attribute(in_, name, format::schema::checksum))
-      checksum_ = format::read_bits(in_, name, format::schema::checksum);
+  explicit StoredSnapshots(const std::filesystem::path& file) : in_(file, "option -snapshots " + file.string()) {
+    count = in_.count();
+    length = in_.length();
   }
 
   void read(std::int64_t row, Row& into) override {
-    const std::array<hsize_t, 2> start{static_cast<hsize_t>(row), 0}, counts{1, static_cast<hsize_t>(length)};
-    const format::Space memory(H5Screate_simple(1, &counts[1], nullptr));
-    H5Sselect_hyperslab(space_.get(), H5S_SELECT_SET, start.data(), nullptr, counts.data(), nullptr);
-    if (H5Dread(dataset_.get(), H5T_NATIVE_DOUBLE, memory.get(), space_.get(), H5P_DEFAULT, into.data()) < 0)
-      refuse_snapshots(path_, "/snapshots cannot be read as numbers");
-    constexpr std::size_t vertex = 3 * sizeof(double);
-    const auto bytes = std::as_bytes(std::span(into.data(), static_cast<std::size_t>(length)));
-    if (length % 3 == 0) sum_ += format::checksum(bytes, vertex, row * length / 3);
-    if (row + 1 == count && checksum_ && *checksum_ != sum_)
-      refuse_snapshots(
-          path_, "/snapshots does not have the checksum it was written with: the file is damaged; write it again");
+    in_.read(row, {into.data(), static_cast<std::size_t>(into.size())});
   }
 
  private:
-  static constexpr auto name = "/snapshots";
-  std::filesystem::path path_;
-  format::StoredFile in_;
-  format::Dataset dataset_;
-  format::Space space_;
-  std::optional<std::uint64_t> checksum_;
-  std::uint64_t sum_ = 0;
+  format::SnapshotReader in_;
 };
 
 std::unique_ptr<Snapshots> open(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) refuse_snapshots(file, "there is no such file");
   refuse_irregular(file, "option -snapshots " + file.string());
   if (file.extension() == ".npy") return std::make_unique<NumpySnapshots>(file);
-  return std::make_unique<Hdf5Snapshots>(file);
+  return std::make_unique<StoredSnapshots>(file);
 }
 
 std::unique_ptr<Snapshots> open_for(const mesh::Mesh& mesh, const std::filesystem::path& file) {

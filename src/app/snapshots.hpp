@@ -9,7 +9,7 @@
 namespace ritz::app {
 
 /// The snapshots of a file over free degrees of freedom, m, a column each: NumPy's .npy (float64, C order), or the
-/// dataset /snapshots of an HDF5 file, such as ritz-full writes. A snapshot is a row of 3n numbers, x y z of each
+/// dataset /snapshots of a file such as ritz-full writes. A snapshot is a row of 3n numbers, x y z of each
 /// vertex in the mesh file's order (vertices that no cell uses left out). Throws InputError on all ranks for a file
 /// that is not so, vectors of another length, or numbers that are not finite. *Collective*.
 mesh::FreeRows read_snapshots(const std::filesystem::path& file, const mesh::Mesh& mesh, const mesh::Dofs& dofs);

@@ -1,7 +1,5 @@
 #include "ritz/app/write_model.hpp"
 
-#include <hdf5.h>
-
 #include <algorithm>
 
 #include "ritz/app/checksums.hpp"
@@ -11,34 +9,12 @@
 #include "ritz/base/error.hpp"
 #include "ritz/base/version.hpp"
 #include "ritz/files/names.hpp"
+#include "ritz/format/parallel_access.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/parallel/guard.hpp"
 
 namespace ritz::app {
 namespace {
-
-/// Property lists for collective writing through MPI.
-class ParallelAccess {
- public:
-  explicit ParallelAccess(MPI_Comm comm) : file_(H5Pcreate(H5P_FILE_ACCESS)), transfer_(H5Pcreate(H5P_DATASET_XFER)) {
-    H5Pset_fapl_mpio(file_, comm, MPI_INFO_NULL);
-    H5Pset_dxpl_mpio(transfer_, H5FD_MPIO_COLLECTIVE);
-    access = {file_, transfer_, parallel::rank(comm) == 0,
-              [comm](std::uint64_t mine) { return parallel::sum(comm, mine); },
-              [comm](bool yes) { return parallel::vote(comm, yes); }};
-  }
-  ~ParallelAccess() {
-    H5Pclose(transfer_);
-    H5Pclose(file_);
-  }
-  ParallelAccess(const ParallelAccess&) = delete;
-  ParallelAccess& operator=(const ParallelAccess&) = delete;
-
-  format::Access access;
-
- private:
-  hid_t file_, transfer_;
-};
 
 model::Provenance provenance(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
                              const fem::Materials& materials, stages::Strategy strategy) {
@@ -81,8 +57,10 @@ void write_columns(format::ModelWriter& out, MPI_Comm comm, const FileGeometry& 
 void write_model(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
                  const fem::Materials& materials, const FileGeometry& order, const Results& results,
                  const Progress& progress, const Outputs& outputs, std::vector<PendingFile>& exported) {
-  const ParallelAccess access(mesh.comm);
-  format::ModelWriter out(config.output, access.access);
+  const format::ParallelLists lists(mesh.comm);
+  format::ModelWriter out(config.output, {lists.file.get(), lists.transfer.get(), parallel::rank(mesh.comm) == 0,
+                                          [&](std::uint64_t mine) { return parallel::sum(mesh.comm, mine); },
+                                          [&](bool yes) { return parallel::vote(mesh.comm, yes); }});
   format::write_provenance(out, provenance(config, mesh, dofs, materials, results.modes.strategy));
   format::write_geometry(out, order.geometry, order.slices);
   write_columns(out, mesh.comm, order, results.u);

@@ -1,7 +1,13 @@
-#include "ritz/format/motion_dataset.hpp"
+#include "motion_dataset.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
 
 #include "hdf5.hpp"
 #include "ritz/files/failure.hpp"
+#include "ritz/format/checksum.hpp"
+#include "ritz/format/schema.hpp"
 
 namespace ritz::format {
 namespace {
@@ -10,21 +16,8 @@ Space simple(const Extent& shape) {
   return Space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr));
 }
 
-Dataset create(hid_t file, const char* name, hid_t type, const Extent& shape, const std::string& units) {
-  const Space space = simple(shape);
-  const Properties unfilled(H5Pcreate(H5P_DATASET_CREATE));
-  require_written(H5Pset_fill_time(unfilled.get(), H5D_FILL_TIME_NEVER) >= 0);
-  Dataset dataset(H5Dcreate2(file, name, type, space.get(), H5P_DEFAULT, unfilled.get(), H5P_DEFAULT));
-  require_written(static_cast<bool>(dataset));
-  write_attribute(dataset.get(), "units", units);
-  return dataset;
-}
-
-/// One number of the type that it has in the file, on a little-endian machine.
-void write_number(hid_t object, const char* name, hid_t type, const void* value) {
-  const Space space(H5Screate(H5S_SCALAR));
-  const Attribute attribute(H5Acreate2(object, name, type, space.get(), H5P_DEFAULT, H5P_DEFAULT));
-  require_written(attribute && H5Awrite(attribute.get(), type, value) >= 0);
+hsize_t row_length(const Extent& shape) {
+  return std::accumulate(shape.begin() + 1, shape.end(), hsize_t{1}, std::multiplies{});
 }
 
 }  // namespace
@@ -33,24 +26,26 @@ void require_written(bool good) {
   if (!good) files::fail_to_write("all of the motion", hdf5_error());
 }
 
-void write_attribute(hid_t object, const char* name, const std::string& text) {
+void attach(hid_t object, const char* name, hid_t type, const void* value) {
+  const Space space(H5Screate(H5S_SCALAR));
+  const Attribute attribute(H5Acreate2(object, name, type, space.get(), H5P_DEFAULT, H5P_DEFAULT));
+  require_written(attribute && H5Awrite(attribute.get(), type, value) >= 0);
+}
+
+void attach_text(hid_t object, const char* name, std::string_view text) {
   const Type type(H5Tcopy(H5T_C_S1));
   require_written(H5Tset_size(type.get(), text.size()) >= 0 && H5Tset_cset(type.get(), H5T_CSET_UTF8) >= 0);
-  const Space space(H5Screate(H5S_SCALAR));
-  const Attribute attribute(H5Acreate2(object, name, type.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT));
-  require_written(attribute && H5Awrite(attribute.get(), type.get(), text.data()) >= 0);
+  attach(object, name, type.get(), text.data());
 }
 
-void write_attribute(hid_t object, const char* name, double value) {
-  write_number(object, name, H5T_IEEE_F64LE, &value);
-}
-
-void write_attribute(hid_t object, const char* name, std::uint64_t value) {
-  write_number(object, name, H5T_STD_U64LE, &value);
-}
-
-Dataset create_floats(hid_t file, const char* name, const Extent& shape, const std::string& units) {
-  return create(file, name, H5T_IEEE_F64LE, shape, units);
+Dataset create(hid_t file, const std::string& name, hid_t type, const Extent& shape, const std::string& units) {
+  const Space space = simple(shape);
+  const Properties unfilled(H5Pcreate(H5P_DATASET_CREATE));
+  require_written(H5Pset_fill_time(unfilled.get(), H5D_FILL_TIME_NEVER) >= 0);
+  Dataset dataset(H5Dcreate2(file, name.c_str(), type, space.get(), H5P_DEFAULT, unfilled.get(), H5P_DEFAULT));
+  require_written(static_cast<bool>(dataset));
+  attach_text(dataset.get(), schema::units, units);
+  return dataset;
 }
 
 void write_integers(hid_t file, const char* name, std::span<const std::int64_t> values) {
@@ -58,32 +53,66 @@ void write_integers(hid_t file, const char* name, std::span<const std::int64_t> 
   require_written(H5Dwrite(dataset.get(), H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0);
 }
 
-void write_block(const Dataset& dataset, const Extent& start, const Extent& count, const double* values) {
-  const Space in_file(H5Dget_space(dataset.get())), in_memory = simple(count);
-  require_written(H5Sselect_hyperslab(in_file.get(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr) >=
-                      0 &&
-                  H5Dwrite(dataset.get(), H5T_NATIVE_DOUBLE, in_memory.get(), in_file.get(), H5P_DEFAULT, values) >= 0);
+void write_numbers(hid_t file, const char* name, std::span<const double> values, const std::string& units) {
+  NumberStream stream(file, name, {values.size()}, units);
+  stream.append(values);
+  stream.close();
 }
 
-void view_part(hid_t file, const std::string& name, const Extent& shape, const View& part, const std::string& units) {
-  const Space shown = simple(shape), all = simple(part.dimensions);
+void show(hid_t file, const std::string& name, const Extent& shape, const Rows& rows) {
+  Extent start(rows.all.size(), 0), count = rows.all;
+  start[0] = rows.first;
+  count[0] = rows.count;
+  const Space shown = simple(shape), all = simple(rows.all);
   const Properties view(H5Pcreate(H5P_DATASET_CREATE)), parents(H5Pcreate(H5P_LINK_CREATE));
-  require_written(
-      H5Sselect_hyperslab(all.get(), H5S_SELECT_SET, part.start.data(), nullptr, part.count.data(), nullptr) >= 0 &&
-      H5Pset_virtual(view.get(), shown.get(), ".", part.source, all.get()) >= 0 &&
-      H5Pset_create_intermediate_group(parents.get(), 1) >= 0);
+  require_written(H5Sselect_hyperslab(all.get(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr) >= 0 &&
+                  H5Pset_virtual(view.get(), shown.get(), ".", rows.source.c_str(), all.get()) >= 0 &&
+                  H5Pset_create_intermediate_group(parents.get(), 1) >= 0);
   const Dataset dataset(
       H5Dcreate2(file, name.c_str(), H5T_IEEE_F64LE, shown.get(), parents.get(), view.get(), H5P_DEFAULT));
   require_written(static_cast<bool>(dataset));
-  write_attribute(dataset.get(), "units", units);
+  attach_text(dataset.get(), schema::units, "m");
 }
 
-void view_entry(hid_t file, const std::string& name, const char* source, const Extent& shape, hsize_t index,
-                const std::string& units) {
-  View entry{source, shape, Extent(shape.size(), 0), shape};
-  entry.start[0] = index;
-  entry.count[0] = 1;
-  view_part(file, name, Extent(shape.begin() + 1, shape.end()), entry, units);
+NumberStream::NumberStream(hid_t file, const std::string& name, Extent shape, const std::string& units, Checked checked)
+    : dataset_(create(file, name, H5T_IEEE_F64LE, shape, units)), shape_(std::move(shape)), checked_(checked) {}
+
+void NumberStream::append(std::span<const double> piece) {
+  constexpr std::size_t most = 4096;
+  if (pending_.empty() && piece.size() >= most) return write(piece);
+  pending_.insert(pending_.end(), piece.begin(), piece.end());
+  if (pending_.size() < most) return;
+  write(pending_);
+  pending_.clear();
+}
+
+void NumberStream::write(std::span<const double> piece) {
+  const Space in_file(H5Dget_space(dataset_.get()));
+  const hsize_t row = row_length(shape_);
+  if (checked_ == Checked::by_vertex)
+    sum_ += checksum(std::as_bytes(piece), 3 * sizeof(double), static_cast<std::int64_t>(written_ / 3));
+  while (!piece.empty()) {
+    Extent start(shape_.size(), 0), count = shape_;
+    const hsize_t within = written_ % row, whole = within == 0 ? piece.size() / row : 0;
+    start[0] = written_ / row;
+    count[0] = std::max<hsize_t>(whole, 1);
+    if (whole == 0) start[1] = within, count[1] = std::min<hsize_t>(piece.size(), row - within);
+    const Space in_memory = simple(count);
+    require_written(
+        H5Sselect_hyperslab(in_file.get(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr) >= 0 &&
+        H5Dwrite(dataset_.get(), H5T_NATIVE_DOUBLE, in_memory.get(), in_file.get(), H5P_DEFAULT, piece.data()) >= 0);
+    const hsize_t numbers = count[0] * row_length(count);
+    piece = piece.subspan(numbers);
+    written_ += numbers;
+  }
+}
+
+void NumberStream::close() {
+  if (!dataset_) return;
+  write(pending_);
+  pending_.clear();
+  if (checked_ == Checked::by_vertex) attach(dataset_.get(), schema::checksum, H5T_STD_U64LE, &sum_);
+  require_written(dataset_.close());
 }
 
 }  // namespace ritz::format

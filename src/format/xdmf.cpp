@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "ritz/base/error.hpp"
+#include "ritz/format/schema.hpp"
 
 namespace ritz::format {
 namespace {
@@ -46,7 +47,7 @@ std::vector<std::int64_t> mixed_topology(const model::DrawnCells& cells) {
   return topology;
 }
 
-std::string frame_name(std::size_t frame) { return "/frames/" + std::to_string(frame); }
+std::string frame_name(std::size_t frame) { return schema::join(schema::motion::frames, std::to_string(frame)); }
 
 std::string xdmf_text(const std::string& file, const XdmfSize& size, std::span<const double> times) {
   const std::string source = escaped(file) + ":/";

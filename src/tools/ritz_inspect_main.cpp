@@ -1,6 +1,4 @@
 // ritz-inspect: what is in a model. See --help.
-#include <hdf5.h>
-
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <new>
@@ -10,6 +8,7 @@
 #include "inspect_check.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/base/printable.hpp"
+#include "ritz/format/library.hpp"
 
 namespace {
 
@@ -28,8 +27,7 @@ int said() {
 
 int main(int argc, char** argv) {
   using namespace ritz;
-  H5dont_atexit();                              // on a damaged file HDF5 would trip over itself at exit
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // one sentence of ours instead of HDF5's stack
+  format::silence_library();
   CLI::App app("Says what is in a reduced model: parts, frequencies, inertia, where it came from.", "ritz-inspect");
   std::string path;
   bool check = false;

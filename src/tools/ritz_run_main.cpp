@@ -1,12 +1,11 @@
 // ritz-run: the serial runtime. See --help.
-#include <hdf5.h>
-
 #include <iostream>
 #include <new>
 
 #include "ritz/base/error.hpp"
 #include "ritz/base/printable.hpp"
 #include "ritz/files/interruption.hpp"
+#include "ritz/format/library.hpp"
 #include "run.hpp"
 
 namespace {
@@ -20,8 +19,7 @@ int fail(int code, const char* message) {
 
 int main(int argc, char** argv) {
   using namespace ritz;
-  H5dont_atexit();                              // on a full disk HDF5 would try again at exit, and crash
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // one sentence of ours instead of HDF5's stack
+  format::silence_library();
   files::watch_interruptions("ritz-run");
   try {
     const auto parsed = tools::parse_run_options(argc, argv);

@@ -39,7 +39,7 @@ files::Claim claim(const RunOptions& options, Frames frames, Tables tables) {
     plan.outputs.push_back({what + " " + path.string() + " beside the output", path});
   };
   if (!options.scene.empty()) plan.inputs.push_back({"the scene " + options.scene.string(), options.scene});
-  if (frames == Frames::some) beside("the file", xdmf_path(output));
+  if (frames == Frames::some) beside("the file", format::xdmf_path(output, "--output " + output.string()));
   if (tables == Tables::probes) beside("the table", files::table_beside(output, "probes"));
   if (!options.timing.empty()) plan.outputs.push_back({"--timing " + options.timing.string(), options.timing});
   return files::Claim(std::move(plan));

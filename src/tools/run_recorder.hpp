@@ -4,12 +4,14 @@
 #include <vector>
 
 #include "ritz/files/claim.hpp"
+#include "ritz/format/motion.hpp"
 #include "ritz/model/model.hpp"
-#include "run_motion.hpp"
 #include "run_probes.hpp"
 #include "run_timing.hpp"
 
 namespace ritz::tools {
+
+using format::MotionPlan;
 
 /// Takes the states of a run one by one and writes those that are frames as displacements.
 class Recorder {
@@ -37,7 +39,7 @@ class Recorder {
  private:
   const model::Body& body_;
   std::filesystem::path output_;
-  MotionWriter motion_;
+  format::ReducedMotion motion_;
   std::optional<ProbeWriter> probes_;
   std::optional<TimingWriter> timing_;
   std::vector<std::int64_t> frame_states_;

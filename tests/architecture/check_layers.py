@@ -15,7 +15,7 @@ OUTSIDE = [
     (r"Eigen/\w+", {"fem", "model", "runtime"} | EVERYWHERE_ABOVE_RUNTIME),
     (r"(petsc|slepc)\w*\.h", {"petsc"}),
     (r"mpi\.h", {"parallel", "petsc", "mesh", "stages", "config", "app"}),  # the last four: a communicator
-    (r"hdf5\.h|H5\w+\.h", {"format", "tools", "app"}),
+    (r"hdf5\.h|H5\w+\.h", {"format"}),
     (r"CLI/\w+\.hpp", {"tools"}),
     (r"toml\+\+/\w+\.h", {"scene"}),
     (r"metis\.h|pugixml\.hpp|zlib\.h|lz4\.h|lzma\.h", {"mesh"}),

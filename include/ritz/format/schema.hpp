@@ -105,6 +105,26 @@ inline constexpr auto figure_names = "figure_names";
 inline constexpr auto figure_values = "figure_values";
 inline constexpr auto notes = "notes";
 
+// The files of motions and of last states.
+namespace motion {
+inline constexpr std::string_view format_name = "ritz-motion 1";
+inline constexpr auto points = "/points";
+inline constexpr auto vertex_ids = "/vertex_ids";
+inline constexpr auto cells = "/cells";
+inline constexpr auto times = "/times";
+inline constexpr auto z = "/z";
+inline constexpr auto frame_times = "/frame_times";
+inline constexpr auto displacement = "/displacement";
+inline constexpr auto snapshots = "/snapshots";
+inline constexpr auto frames = "/frames";
+inline constexpr auto state = "/state";
+inline constexpr std::array<const char*, 4> vertex_arrays = {points, "/state/displacement", "/state/velocity",
+                                                             "/state/acceleration"};
+inline constexpr std::array<const char*, 6> state_numbers = {"t", "kinetic", "elastic", "work", "dissipated", "start"};
+inline constexpr auto integrator = "integrator";
+inline constexpr auto kind = "kind";
+}  // namespace motion
+
 /// "parent/child".
 std::string join(std::string_view parent, std::string_view child);
 /// "/bodies/BODY/PART", with BODY as a link name.

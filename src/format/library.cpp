@@ -1,3 +1,5 @@
+#include "ritz/format/library.hpp"
+
 #include <cstdlib>
 #include <cstring>
 
@@ -15,6 +17,11 @@ extern "C" herr_t find_errno(unsigned, const H5E_error2_t* entry, void* found) {
 }
 
 }  // namespace
+
+void silence_library() {
+  H5dont_atexit();
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
 
 int hdf5_error() {
   int found = 0;
