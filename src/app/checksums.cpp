@@ -38,7 +38,7 @@ std::uint64_t hash_of(const std::filesystem::path& file) {
 
 }  // namespace
 
-Checksums checksums(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const fem::Materials& materials) {
+model::Checksums checksums(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const fem::Materials& materials) {
   std::uint64_t h = split_mix(mesh.checksum ^ split_mix(dofs.checksum));
   const auto add = [&](double x) { h = split_mix(h ^ std::bit_cast<std::uint64_t>(x)); };
   for (const auto& [law, density] : materials) {

@@ -8,15 +8,11 @@
 
 #include "ritz/fem/material.hpp"
 #include "ritz/mesh/dofs.hpp"
+#include "ritz/model/model.hpp"
 
 namespace ritz::app {
 
-struct Checksums {
-  std::string mesh;     ///< vertices, cells, regions
-  std::string problem;  ///< these, the materials and what is fixed: modes depend on nothing else
-};
-
-Checksums checksums(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const fem::Materials& materials);
+model::Checksums checksums(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const fem::Materials& materials);
 
 /// Of the bytes of a file that rank 0 reads. Throws InputError when it cannot be read. *Collective*.
 std::string file_checksum(MPI_Comm comm, const std::filesystem::path& file);

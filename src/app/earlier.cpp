@@ -12,7 +12,7 @@ namespace {
 
 /// What decides whether an earlier model fits.
 struct Wanted {
-  Checksums sums;
+  model::Checksums sums;
   Options options;
   config::Solver solver;
   config::Export exported;
@@ -38,12 +38,12 @@ std::string obstacle_of_basis(const Options& then, const Wanted& now) {
 
 /// Why the model cannot be used; empty where it can.
 std::string obstacle(const format::ModelReader& in, const Wanted& now) {
-  const auto then = format::read_provenance(in);
-  if (then.mesh_checksum != now.sums.mesh) return "it was made from another mesh";
-  if (then.problem_checksum != now.sums.problem) return "its materials or supports are others";
+  const auto then = format::read_checksums(in);
+  if (then.mesh != now.sums.mesh) return "it was made from another mesh";
+  if (then.problem != now.sums.problem) return "its materials or supports are others";
   if (!format::read_modes(in) && !format::read_reduction(in)) return "it has no modes";
   if (format::read_geometry(in).rows != model::Rows::all) return "it stores the surface alone";
-  return format::read_reduction(in) ? obstacle_of_basis(then.options, now) : "";
+  return format::read_reduction(in) ? obstacle_of_basis(format::read_provenance(in).options, now) : "";
 }
 
 /// The rows of this rank's vertices of these columns.

@@ -16,14 +16,8 @@
 namespace ritz::app {
 namespace {
 
-model::Provenance provenance(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
-                             const fem::Materials& materials, stages::Strategy strategy) {
-  const Checksums sums = checksums(mesh, dofs, materials);
-  return {std::string("ritz-reduce ") + version,
-          petsc::library_versions(),
-          resolved(config, mesh, strategy),
-          sums.mesh,
-          sums.problem,
+model::Provenance provenance(const config::Config& config, const mesh::Mesh& mesh, stages::Strategy strategy) {
+  return {std::string("ritz-reduce ") + version, petsc::library_versions(), resolved(config, mesh, strategy),
           parallel::size(mesh.comm)};
 }
 
@@ -61,7 +55,8 @@ void write_model(const config::Config& config, const mesh::Mesh& mesh, const mes
   format::ModelWriter out(config.output, {lists.file.get(), lists.transfer.get(), parallel::rank(mesh.comm) == 0,
                                           [&](std::uint64_t mine) { return parallel::sum(mesh.comm, mine); },
                                           [&](bool yes) { return parallel::vote(mesh.comm, yes); }});
-  format::write_provenance(out, provenance(config, mesh, dofs, materials, results.modes.strategy));
+  format::write_provenance(out, provenance(config, mesh, results.modes.strategy));
+  format::write_checksums(out, checksums(mesh, dofs, materials));
   format::write_geometry(out, order.geometry, order.slices);
   write_columns(out, mesh.comm, order, results.u);
   if (results.modes.modes.eigenvalues.size() > 0) format::write_modes(out, results.modes.modes);

@@ -18,6 +18,13 @@ std::string column_path(const std::string& group, Index column) {
   return schema::join(schema::join(group, schema::columns), schema::column_name(column));
 }
 
+/// HDF5 takes the name of a view's source for a pattern, in which %% is a plain %.
+std::string as_pattern(const std::string& path) {
+  std::string pattern;
+  for (const char c : path) pattern.append(c == '%' ? 2 : 1, c);
+  return pattern;
+}
+
 /// The dataset U (3n x r) for NumPy's users: a view of the columns, which holds no numbers of its own.
 void write_view(const ModelWriter& out, const std::string& group, Index columns, Index vertices) {
   const Quiet quiet;
@@ -32,7 +39,8 @@ void write_view(const ModelWriter& out, const std::string& group, Index columns,
   for (Index column = 0; column < columns; ++column) {
     const std::array<hsize_t, 2> start{0, static_cast<hsize_t>(column)};
     H5Sselect_hyperslab(view.get(), H5S_SELECT_SET, start.data(), nullptr, height.data(), nullptr);
-    ok = ok && H5Pset_virtual(properties.get(), view.get(), ".", column_path(group, column).c_str(), source.get()) >= 0;
+    const auto path = as_pattern(column_path(group, column));
+    ok = ok && H5Pset_virtual(properties.get(), view.get(), ".", path.c_str(), source.get()) >= 0;
   }
   const auto path = schema::join(group, schema::U);
   H5Sselect_all(view.get());
@@ -66,7 +74,7 @@ void write_basis(ModelWriter& out, Index columns, Index my_vertices, Slice verti
   for (Index column = 0; column < columns; ++column) {
     source(column, values);
     write_rows<double>(out, column_path(group, column), units, values, vertices, 3);
-    write_point_vector(out, column_path(group, column), "mode_" + schema::column_name(column));
+    write_point_vector(out, body, column_path(group, column), "mode_" + schema::column_name(column));
   }
   if (columns > 0 && vertices.total > 0) write_view(out, group, columns, vertices.total);
 }

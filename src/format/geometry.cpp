@@ -183,7 +183,7 @@ void write_geometry(ModelWriter& out, const model::Geometry& mine, const Geometr
   write_cells(out, group, mine.cells, slices);
   write_sets(out, group, mine.sets);
   write_materials(out, group, mine.materials);
-  write_grid(out, group, slices);
+  write_grid(out, body, slices);
 }
 
 model::Geometry read_geometry(const ModelReader& in, std::string_view body) {

@@ -80,6 +80,10 @@ std::vector<std::string> links(const StoredFile& in, const std::string& group) {
   return found.names;
 }
 
+std::string home(const ModelReader& in, std::string_view body) {
+  return in.first_body() == body ? std::string() : schema::body_group(body);
+}
+
 StoredArray::StoredArray(const StoredFile& in, std::string path)
     : in_(in), path_(std::move(path)), shape_(stored_shape(in_, path_)) {
   const Quiet quiet;

@@ -21,6 +21,10 @@ void require(bool holds, const StoredFile& in, const std::string& path, const st
 /// of them is not a hard link.
 std::vector<std::string> links(const StoredFile& in, const std::string& group);
 
+/// Where what a file of one body keeps at its root stands for body `body`: the root for the first body, the body's own
+/// group for each other one.
+std::string home(const ModelReader& in, std::string_view body);
+
 std::vector<Index> read_indices(const StoredFile& in, const std::string& object, const char* name);
 
 /// The shape of a dataset, of one dimension at least. Throws InputError for what survey() does not let pass, and for

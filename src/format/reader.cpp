@@ -4,6 +4,7 @@
 
 #include "read.hpp"
 #include "ritz/base/error.hpp"
+#include "ritz/base/nearest.hpp"
 
 namespace ritz::format {
 
@@ -53,6 +54,14 @@ std::string ModelReader::first_body() const {
   const auto names = bodies();
   if (names.empty()) fail(*this, std::string(schema::bodies), "is missing or empty");
   return names.front();
+}
+
+void ModelReader::require_body(std::string_view name) const {
+  const auto names = bodies();
+  if (std::ranges::find(names, name) != names.end()) return;
+  if (names.empty()) fail(*this, std::string(schema::bodies), "is missing or empty");
+  throw InputError(this->name() + " has no body '" + std::string(name) + "'; did you mean '" + nearest(name, names) +
+                   "'?");
 }
 
 bool ModelReader::has(std::string_view part, std::string_view body) const {

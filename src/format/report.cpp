@@ -6,24 +6,25 @@ namespace ritz::format {
 
 namespace {
 
-const std::string group(schema::report);
+std::string below(const std::string& home) { return home + std::string(schema::report); }
 
 /// A list of names beside a list of numbers; nothing when there are none.
-void write_table(const ModelWriter& out, const char* names_path, const char* values_path, std::string_view units,
-                 const std::vector<std::string>& names, const std::vector<double>& values) {
+void write_table(const ModelWriter& out, const std::string& group, const char* names_path, const char* values_path,
+                 std::string_view units, const std::vector<std::string>& names, const std::vector<double>& values) {
   if (names.empty()) return;
   write_texts(out, schema::join(group, names_path), names);
   write_vector<double>(out, schema::join(group, values_path), units, values);
 }
 
-std::vector<double> read_values(const ModelReader& in, const char* path, const std::vector<std::string>& names) {
+std::vector<double> read_values(const ModelReader& in, const std::string& path, const std::vector<std::string>& names) {
   if (names.empty()) return {};
-  return read_vector<double>(in, schema::join(group, path), static_cast<Index>(names.size()));
+  return read_vector<double>(in, path, static_cast<Index>(names.size()));
 }
 
 }  // namespace
 
-void write_report(ModelWriter& out, const model::Report& report) {
+void write_report(ModelWriter& out, const model::Report& report, std::string_view body) {
+  const auto group = below(home(out, body));
   create_group(out, group);
   std::vector<std::string> stages, names;
   std::vector<double> seconds, values;
@@ -35,18 +36,19 @@ void write_report(ModelWriter& out, const model::Report& report) {
     names.push_back(name);
     values.push_back(value);
   }
-  write_table(out, schema::stages, schema::seconds, "s", stages, seconds);
-  write_table(out, schema::figure_names, schema::figure_values, "as the figure's name says", names, values);
+  write_table(out, group, schema::stages, schema::seconds, "s", stages, seconds);
+  write_table(out, group, schema::figure_names, schema::figure_values, "as the figure's name says", names, values);
   write_texts(out, schema::join(group, schema::notes), report.notes);
 }
 
-model::Report read_report(const ModelReader& in) {
+model::Report read_report(const ModelReader& in, std::string_view body) {
+  const auto group = below(home(in, body));
   model::Report report;
   const auto stages = read_texts(in, schema::join(group, schema::stages));
-  const auto seconds = read_values(in, schema::seconds, stages);
+  const auto seconds = read_values(in, schema::join(group, schema::seconds), stages);
   for (std::size_t i = 0; i < stages.size(); ++i) report.seconds.push_back({stages[i], seconds[i]});
   const auto names = read_texts(in, schema::join(group, schema::figure_names));
-  const auto values = read_values(in, schema::figure_values, names);
+  const auto values = read_values(in, schema::join(group, schema::figure_values), names);
   for (std::size_t i = 0; i < names.size(); ++i) report.figures.emplace_back(names[i], values[i]);
   report.notes = read_texts(in, schema::join(group, schema::notes));
   return report;

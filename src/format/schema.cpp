@@ -8,9 +8,9 @@ std::string join(std::string_view parent, std::string_view child) {
   return std::string(parent).append("/").append(child);
 }
 
-std::string body_part(std::string_view body, std::string_view part) {
-  return join(join(bodies, link_name(body)), part);
-}
+std::string body_group(std::string_view body) { return join(bodies, link_name(body)); }
+
+std::string body_part(std::string_view body, std::string_view part) { return join(body_group(body), part); }
 
 std::string link_name(std::string_view name) {
   if (name.empty()) return "%";

@@ -62,6 +62,7 @@ double stiffness_error(const model::Body& body) {
 }
 
 void check_shapes(const ModelReader& in, std::string_view body) {
+  in.require_body(body);
   const auto r = basis_size(in, body).columns;
   const auto fit = [&](std::string_view part, bool holds) {
     if (!holds) fail(in, schema::body_part(body, part), "does not have the columns of the basis");
@@ -78,6 +79,7 @@ void check_shapes(const ModelReader& in, std::string_view body) {
 }
 
 void check_complete(const ModelReader& in, std::string_view body) {
+  in.require_body(body);
   const auto geometry = schema::body_part(body, schema::geometry);
   require(exists(in, schema::join(geometry, schema::materials)), in, geometry, "the materials are missing");
   require(in.has(schema::inertia, body), in, geometry, "the inertia is missing");
@@ -113,11 +115,13 @@ void check_witnesses(const ModelReader& in, const model::Body& body) {
   }
 }
 
-model::Body check(const ModelReader& in) {
-  for (const auto& dataset : contents(in)) verify(in, dataset);
+namespace {
+
+model::Body checked_body(const ModelReader& in, const std::string& name) {
   model::Body body;
-  body.name = in.first_body();
+  body.name = name;
   check_complete(in, body.name);
+  body.checksums = read_checksums(in, body.name);
   body.geometry = read_geometry(in, body.name);
   for (Index column = 0; column < basis_size(in, body.name).columns; ++column)
     read_basis(in, {.columns = {{column}}, .vertices = {}}, body.name);
@@ -126,10 +130,20 @@ model::Body check(const ModelReader& in) {
   body.polynomial = read_polynomial(in, body.name);
   body.inertia = read_inertia(in, body.name);
   body.loads = read_loads(in, body.name);
+  body.report = read_report(in, body.name);
   check_witnesses(in, body);
-  read_provenance(in);
-  read_report(in);
   return body;
+}
+
+}  // namespace
+
+std::vector<model::Body> check(const ModelReader& in) {
+  for (const auto& dataset : contents(in)) verify(in, dataset);
+  in.first_body();
+  std::vector<model::Body> bodies;
+  for (const auto& name : in.bodies()) bodies.push_back(checked_body(in, name));
+  read_provenance(in);
+  return bodies;
 }
 
 }  // namespace ritz::format

@@ -99,6 +99,29 @@ void create_group(const ModelWriter& out, const std::string& path) {
   }
 }
 
+std::vector<std::string> body_links(const ModelWriter& out) {
+  const Quiet quiet;
+  const std::string bodies(schema::bodies);
+  std::vector<std::string> names;
+  H5G_info_t info{};
+  if (H5Lexists(out.file(), bodies.c_str(), H5P_DEFAULT) <= 0 ||
+      H5Gget_info_by_name(out.file(), bodies.c_str(), &info, H5P_DEFAULT) < 0)
+    return names;
+  const auto name = [&](hsize_t i, char* text, std::size_t size) {
+    return H5Lget_name_by_idx(out.file(), bodies.c_str(), H5_INDEX_CRT_ORDER, H5_ITER_INC, i, text, size, H5P_DEFAULT);
+  };
+  for (hsize_t i = 0; i < info.nlinks; ++i) {
+    names.emplace_back(static_cast<std::size_t>(std::max<ssize_t>(name(i, nullptr, 0), 0)), '\0');
+    name(i, names.back().data(), names.back().size() + 1);
+  }
+  return names;
+}
+
+std::string home(const ModelWriter& out, std::string_view body) {
+  create_group(out, schema::body_group(body));
+  return body_links(out).front() == schema::link_name(body) ? std::string() : schema::body_group(body);
+}
+
 void write_attribute(const ModelWriter& out, const std::string& object, const char* name, double value) {
   put_number(out, object, name, value);
 }

@@ -15,6 +15,12 @@ namespace ritz::format {
 /// Makes the group and those above it that are missing. Links keep the order in which they are made.
 void create_group(const ModelWriter& out, const std::string& path);
 
+/// The link names of the bodies that something has been written of, in that order.
+std::vector<std::string> body_links(const ModelWriter& out);
+/// Where what a file of one body keeps at its root is written for body `body`, which begins with this where nothing was
+/// written of it: the root for the first body, the body's own group for each other one.
+std::string home(const ModelWriter& out, std::string_view body);
+
 void write_attribute(const ModelWriter& out, const std::string& object, const char* name, double value);
 void write_attribute(const ModelWriter& out, const std::string& object, const char* name, std::int64_t value);
 void write_attribute(const ModelWriter& out, const std::string& object, const char* name, std::uint64_t value);

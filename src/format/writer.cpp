@@ -9,6 +9,7 @@
 #include "disk.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/files/failure.hpp"
+#include "vtkhdf.hpp"
 #include "write.hpp"
 
 namespace ritz::format {
@@ -98,11 +99,15 @@ void ModelWriter::finish() {
   if (!file_) return;
   const Quiet quiet;
   make_room(0);
+  const auto bodies = body_links(*this);
   agree(*this, H5Fflush(file_.get(), H5F_SCOPE_GLOBAL) >= 0, "/");
   agree(*this, file_.close(), "/");
   on_writer(*this, [&] {
     release_room(part_);
     part_file_->finish();
+    if (bodies.size() == 1) return;
+    for (const auto& body : bodies)
+      views_.push_back(view_file(path_, body, body == bodies.front() ? "" : schema::join(schema::bodies, body)));
   });
 }
 
@@ -111,6 +116,7 @@ void ModelWriter::commit() {
   on_writer(*this, [&] {
     part_file_->publish();
     link_beside(path_);
+    for (auto& view : views_) view.publish();
   });
   part_.clear();
 }

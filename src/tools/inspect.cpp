@@ -22,18 +22,28 @@ void describe_pairs(const char* title, const Pairs& pairs, std::ostream& out) {
     out << "    " << padded(printable(name), 36) << ' ' << printable(value) << '\n';
 }
 
-void describe_provenance(const model::Provenance& p, std::ostream& out) {
+/// " of 'NAME'" where there are several bodies.
+std::string of_body(const format::ModelReader& in, const std::string& name) {
+  return in.bodies().size() == 1 ? "" : " of '" + printable(name) + "'";
+}
+
+void describe_provenance(const format::ModelReader& in, std::ostream& out) {
+  const auto p = format::read_provenance(in);
   out << "\nprovenance\n";
   out << "  program   " << printable(p.program) << " on " << p.ranks << (p.ranks == 1 ? " rank\n" : " ranks\n");
-  out << "  mesh      " << printable(p.mesh_checksum) << '\n';
-  out << "  problem   " << printable(p.problem_checksum) << '\n';
+  for (const auto& name : in.bodies()) {
+    const auto sums = format::read_checksums(in, name);
+    out << "  mesh      " << printable(sums.mesh) << of_body(in, name) << '\n';
+    out << "  problem   " << printable(sums.problem) << of_body(in, name) << '\n';
+  }
   describe_pairs("versions", p.versions, out);
   describe_pairs("options", p.options, out);
 }
 
-void describe_report(const model::Report& report, std::ostream& out) {
+void describe_report(const format::ModelReader& in, const std::string& body, std::ostream& out) {
+  const auto report = format::read_report(in, body);
   if (report.seconds.empty() && report.figures.empty() && report.notes.empty()) return;
-  out << "\nreport\n";
+  out << "\nreport" << of_body(in, body) << '\n';
   for (const auto& [stage, seconds] : report.seconds)
     out << "  " << padded(printable(stage), 38) << ' ' << duration(seconds) << '\n';
   for (const auto& [name, value] : report.figures)
@@ -92,8 +102,8 @@ void describe(const format::ModelReader& in, std::ostream& out) {
   out << printable(in.name()) << ": a ritz model, format " << format::schema::major << '.' << in.minor_version() << ", "
       << datasets.size() << " datasets, " << byte_size(bytes) << " of data\n";
   for (const auto& name : in.bodies()) describe_body(in, name, out);
-  describe_provenance(format::read_provenance(in), out);
-  describe_report(format::read_report(in), out);
+  describe_provenance(in, out);
+  for (const auto& name : in.bodies()) describe_report(in, name, out);
   describe_datasets(datasets, out);
 }
 

@@ -225,7 +225,7 @@ TEST(Damage, ByPartsThatDoNotFitTogetherIsFound) {
   const test::Folder folder;
   const auto refuses = [&](auto change) {
     auto model = test::sample_model();
-    change(model.body);
+    change(model.bodies[0]);
     write(folder / "model.h5", model);
     EXPECT_THROW(read(folder / "model.h5"), InputError);
   };

@@ -14,8 +14,16 @@ TEST(Fixture, OfVersion10IsRead) {
   const ModelReader in(std::filesystem::path(RITZ_SOURCE "/tests/format/fixtures/model-1.0.h5"));
   EXPECT_EQ(in.minor_version(), 0);
   auto expected = test::sample_model();
-  expected.body.geometry.materials[1].material.law = fem::StVK{1e6, .49};  // laws had no names then
+  expected.bodies[0].geometry.materials[1].material.law = fem::StVK{1e6, .49};  // laws had no names then
   test::expect_same(read(in), expected);
+  for (const auto& info : contents(in)) EXPECT_NO_THROW(verify(in, info));
+}
+
+/// Before a file could have several bodies, what is now the first body's own was the file's.
+TEST(Fixture, OfVersion12IsRead) {
+  const ModelReader in(std::filesystem::path(RITZ_SOURCE "/tests/format/fixtures/model-1.2.h5"));
+  EXPECT_EQ(in.minor_version(), 2);
+  test::expect_same(read(in), test::sample_model());
   for (const auto& info : contents(in)) EXPECT_NO_THROW(verify(in, info));
 }
 

@@ -48,11 +48,20 @@ with tempfile.TemporaryDirectory() as folder:
     path = os.path.join(folder, "model.h5")
     subprocess.run([os.path.join(os.environ["RITZ_BIN"], "write_sample_model"), path], check=True)
     with h5py.File(path) as file:
-        assert file.attrs["format"] == b"ritz-model" and list(file.attrs["version"]) == [1, 2]
+        assert file.attrs["format"] == b"ritz-model" and list(file.attrs["version"]) == [1, 3]
         file.visititems(check)
         basis = file["bodies/body/basis"]
         columns = [basis["columns"][name][...].ravel() for name in sorted(basis["columns"])]
         assert np.array_equal(basis["U"][...], np.column_stack(columns)) and abs(basis["U"][2, 0] - 0.5**0.5) < 1e-15
         assert file["VTKHDF/PointData/mode_0002"] == basis["columns/0002"]
         assert file["VTKHDF/Points"] == file["bodies/body/geometry/points"]
+        assert file["provenance"].attrs["mesh_checksum"] == b"0123456789abcdef" and "VTKHDF" not in file["bodies/body"]
         assert dict(file["provenance/options"][...].tolist())[b"-modes"] == b"2"
+    # The second body's own stands in its group.
+    subprocess.run([os.path.join(os.environ["RITZ_BIN"], "write_sample_model"), path, "two-bodies"], check=True)
+    with h5py.File(path) as file:
+        file.visititems(check)
+        arm = file["bodies/arm%2Fupper"]
+        assert np.array_equal(arm["basis/U"][...], file["bodies/body/basis/U"][...]) and arm["basis/U"][2, 0] != 0
+        assert arm.attrs["problem_checksum"] == b"00000000000000bb"
+        assert arm["VTKHDF/Points"] == arm["geometry/points"] and "figure_names" in arm["report"]

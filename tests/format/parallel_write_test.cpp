@@ -8,6 +8,7 @@
 #include "ritz/base/error.hpp"
 #include "ritz/base/random.hpp"
 #include "ritz/format/contents.hpp"
+#include "ritz/format/parallel_access.hpp"
 #include "ritz/format/parts.hpp"
 #include "support/sample_model.hpp"
 
@@ -35,16 +36,14 @@ std::filesystem::path shared_path(const char* name) {
 
 class ParallelWrite : public testing::TestWithParam<H5FD_mpio_xfer_t> {
  protected:
-  ParallelWrite() : file_(H5Pcreate(H5P_FILE_ACCESS)), transfer_(H5Pcreate(H5P_DATASET_XFER)) {
-    H5Pset_fapl_mpio(file_.get(), MPI_COMM_WORLD, MPI_INFO_NULL);
-    H5Pset_dxpl_mpio(transfer_.get(), GetParam());
-  }
+  ParallelWrite() { H5Pset_dxpl_mpio(lists_.transfer.get(), GetParam()); }
   ~ParallelWrite() override {
     MPI_Barrier(MPI_COMM_WORLD);
     if (rank() != 0) return;
     for (auto path : {together_, alone_}) {
       std::filesystem::remove(path);
-      std::filesystem::remove(path.replace_extension(".vtkhdf"));
+      for (const auto* view : {".vtkhdf", ".body.vtkhdf", ".arm.vtkhdf"})
+        std::filesystem::remove(path.replace_extension().concat(view));
     }
   }
 
@@ -58,18 +57,18 @@ class ParallelWrite : public testing::TestWithParam<H5FD_mpio_xfer_t> {
       MPI_Allreduce(MPI_IN_PLACE, &all, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
       return all == 1 ? Vote::all_yes : Vote::some_no;
     };
-    return {file_.get(), transfer_.get(), rank() == ranks() - 1, sum, vote};
+    return {lists_.file.get(), lists_.transfer.get(), rank() == ranks() - 1, sum, vote};
   }
 
-  Properties file_, transfer_;
+  ParallelLists lists_{MPI_COMM_WORLD};
   std::filesystem::path together_ = shared_path("together.h5");
   std::filesystem::path alone_ = shared_path("alone.h5");
 };
 
-/// 101 vertices, 37 mixed cells, 5 columns; the rest is the sample's.
+/// Two bodies of 101 vertices, 37 mixed cells and 5 columns; the rest is the sample's.
 model::Model larger_model() {
   auto model = test::sample_model();
-  auto& body = model.body;
+  auto& body = model.bodies[0];
   body.geometry.full_vertices = 101;
   body.geometry.points = model::Points::NullaryExpr(101, 3, [](auto i, auto j) { return double(i) + 0.1 * double(j); });
   body.geometry.vertex_ids.resize(101);
@@ -85,6 +84,11 @@ model::Model larger_model() {
       303, 5, [](auto i, auto j) { return uniform(static_cast<std::uint64_t>(i), static_cast<std::uint64_t>(j)); });
   body.inertia.reset();
   body.loads.clear();
+  model.bodies.push_back(body);
+  model.bodies[1].name = "arm";
+  model.bodies[1].basis.U *= 2;
+  model.bodies[1].checksums.mesh = "of the arm";
+  model.bodies[1].report.notes = {"the arm's own"};
   return model;
 }
 
@@ -123,19 +127,22 @@ Mine my_part(const model::Body& body) {
 }
 
 TEST_P(ParallelWrite, GivesTheDatasetsOfOneRank) {
-  auto model = larger_model();
-  const auto mine = my_part(model.body);
+  const auto model = larger_model();
   {
     ModelWriter out(together_, access());
     auto provenance = model.provenance;
     if (!access().writes_small) provenance.program = "another rank's words are not written";
     write_provenance(out, provenance);
-    write_geometry(out, mine.geometry, mine.slices);
-    write_basis(out, mine.basis, mine.slices.vertices);
-    write_modes(out, *model.body.modes);
-    auto report = model.report;
-    if (!access().writes_small) report.notes = {"nor its number of notes"};
-    write_report(out, report);
+    for (const auto& body : model.bodies) {
+      const auto mine = my_part(body);
+      write_checksums(out, body.checksums, body.name);
+      write_geometry(out, mine.geometry, mine.slices, body.name);
+      write_basis(out, mine.basis, mine.slices.vertices, body.name);
+      write_modes(out, *body.modes, body.name);
+      auto report = body.report;
+      if (!access().writes_small) report.notes = {"nor its number of notes"};
+      write_report(out, report, body.name);
+    }
     out.commit();
   }
   if (rank() != 0) return;

@@ -22,3 +22,13 @@ with tempfile.TemporaryDirectory() as folder:
     assert [vectors.GetArrayName(i) for i in range(vectors.GetNumberOfArrays())] == ["mode_0001", "mode_0002"]
     assert abs(vectors.GetArray("mode_0001").GetTuple(0)[2] - 0.5**0.5) < 1e-15
     assert vectors.GetArray("mode_0002").GetTuple(0) == (0, 0, 0)
+
+    # Of two bodies each has a file of its own; the one named after the model shows the first.
+    subprocess.run([os.path.join(os.environ["RITZ_BIN"], "write_sample_model"), path, "two-bodies"], check=True)
+    for name, x in ("model", 0), ("model.body", 0), ("model.arm%2Fupper", 5):
+        reader = vtkHDFReader()
+        reader.SetFileName(os.path.join(folder, name + ".vtkhdf"))
+        reader.Update()
+        grid = reader.GetOutput()
+        assert grid.GetNumberOfPoints() == 4 and grid.GetPoint(0) == (x, 0, 0), name
+        assert grid.GetPointData().GetNumberOfArrays() == 2

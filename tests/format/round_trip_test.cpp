@@ -30,7 +30,7 @@ TEST(RoundTrip, KeepsAReductionAndItsPolynomial) {
   write(path, test::nonlinear_sample_model());
   expect_same(read(path), test::nonlinear_sample_model());
   auto model = test::nonlinear_sample_model();
-  model.body.polynomial.reset();
+  model.bodies[0].polynomial.reset();
   write(path, model);
   expect_same(read(path), model);
 }
@@ -50,13 +50,13 @@ TEST(RoundTrip, KeepsAbsentPartsAbsent) {
   const Folder folder;
   const auto path = folder / "model.h5";
   auto model = sample_model();
-  model.body.modes.reset();
-  model.body.inertia.reset();
-  model.body.loads.clear();
-  model.body.geometry.sets.clear();
-  model.body.geometry.materials.clear();
+  model.bodies[0].modes.reset();
+  model.bodies[0].inertia.reset();
+  model.bodies[0].loads.clear();
+  model.bodies[0].geometry.sets.clear();
+  model.bodies[0].geometry.materials.clear();
   model.provenance.options.clear();
-  model.report = {};
+  model.bodies[0].report = {};
   write(path, model);
 
   const ModelReader in(path);
@@ -71,9 +71,9 @@ TEST(RoundTrip, KeepsAbsentPartsAbsent) {
 TEST(RoundTrip, KeepsTheSurfaceOfALargerMesh) {
   const Folder folder;
   auto model = sample_model();
-  model.body.geometry.rows = model::Rows::surface;
-  model.body.geometry.full_vertices = 1'000'000'000'000;
-  model.body.geometry.cells = {{5, 9}, {0, 3, 7}, {0, 1, 2, 0, 1, 2, 3}};
+  model.bodies[0].geometry.rows = model::Rows::surface;
+  model.bodies[0].geometry.full_vertices = 1'000'000'000'000;
+  model.bodies[0].geometry.cells = {{5, 9}, {0, 3, 7}, {0, 1, 2, 0, 1, 2, 3}};
   write(folder / "model.h5", model);
   expect_same(read(folder / "model.h5"), model);
 }
@@ -81,11 +81,11 @@ TEST(RoundTrip, KeepsTheSurfaceOfALargerMesh) {
 TEST(RoundTrip, KeepsOddNumbersAndNames) {
   const Folder folder;
   auto model = sample_model();
-  model.body.name = "upper arm";
-  model.body.modes->residuals << std::numeric_limits<double>::denorm_min(), std::numeric_limits<double>::max();
-  model.body.geometry.sets.clear();
+  model.bodies[0].name = "upper arm";
+  model.bodies[0].modes->residuals << std::numeric_limits<double>::denorm_min(), std::numeric_limits<double>::max();
+  model.bodies[0].geometry.sets.clear();
   for (const auto* name : {"z last first", "", ".", "..", "%2F", "a/b/c", "%", "größe", "new\nline"})
-    model.body.geometry.sets.push_back({name, {0}, 1});
+    model.bodies[0].geometry.sets.push_back({name, {0}, 1});
   write(folder / "model.h5", model);
   expect_same(read(folder / "model.h5"), model);
   EXPECT_EQ(ModelReader(folder / "model.h5").bodies(), std::vector<std::string>{"upper arm"});
@@ -95,9 +95,9 @@ TEST(RoundTrip, KeepsEveryKindOfCertificate) {
   const Folder folder;
   for (const auto kind : {model::Certified::no, model::Certified::probabilistic, model::Certified::inertia_f32}) {
     auto model = sample_model();
-    model.body.modes->certificate.kind = kind;
-    model.body.modes->kinds[0] = model::ModeKind::rigid;
-    model.body.modes->eigenvalues[0] = 0;
+    model.bodies[0].modes->certificate.kind = kind;
+    model.bodies[0].modes->kinds[0] = model::ModeKind::rigid;
+    model.bodies[0].modes->eigenvalues[0] = 0;
     write(folder / "model.h5", model);
     expect_same(read(folder / "model.h5"), model);
   }

@@ -13,7 +13,7 @@ class Selection : public testing::Test {
  protected:
   Selection() {
     auto model = test::sample_model();
-    auto& body = model.body;
+    auto& body = model.bodies[0];
     body.geometry.points = model::Points::Zero(10, 3);
     body.geometry.vertex_ids.assign(10, 0);
     body.basis.U = model::RowMatrix::NullaryExpr(30, 12, [](auto i, auto j) { return 100.0 * double(i) + double(j); });

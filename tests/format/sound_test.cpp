@@ -24,7 +24,7 @@ class Sound : public testing::Test {
   /// Both what --check does and reading everything refuse the model, and name `path`.
   void wrong(const char* path, const char* sentence, const std::function<void(model::Body&)>& change) const {
     auto model = test::nonlinear_sample_model();
-    change(model.body);
+    change(model.bodies[0]);
     write(folder_ / "model.h5", model);
     const auto refused = ThrowsMessage<InputError>(AllOf(HasSubstr(path), HasSubstr(sentence)));
     EXPECT_THAT([&] { check(ModelReader(folder_ / "model.h5")); }, refused) << path << ' ' << sentence;
@@ -37,10 +37,10 @@ class Sound : public testing::Test {
 TEST_F(Sound, IsTheSample) {
   for (const auto& model : {test::sample_model(), test::nonlinear_sample_model()}) {
     write(folder_ / "model.h5", model);
-    const auto body = check(ModelReader(folder_ / "model.h5"));
-    EXPECT_EQ(body.modes->eigenvalues, model.body.modes->eigenvalues);
+    const auto body = check(ModelReader(folder_ / "model.h5")).at(0);
+    EXPECT_EQ(body.modes->eigenvalues, model.bodies[0].modes->eigenvalues);
     EXPECT_EQ(body.basis.U.size(), 0);
-    EXPECT_EQ(orthonormality_error(*body.inertia), orthonormality_error(*model.body.inertia));
+    EXPECT_EQ(orthonormality_error(*body.inertia), orthonormality_error(*model.bodies[0].inertia));
   }
 }
 
@@ -125,7 +125,7 @@ TEST_F(Sound, PartsAgreeInTheirShapes) {
 TEST_F(Sound, NothingIsMissingAndTheWitnessesHold) {
   const auto wrong_alone = [&](const char* sentence, const std::function<void(model::Body&)>& change) {
     auto model = test::nonlinear_sample_model();
-    change(model.body);
+    change(model.bodies[0]);
     write(folder_ / "model.h5", model);
     EXPECT_THAT([&] { check(ModelReader(folder_ / "model.h5")); }, ThrowsMessage<InputError>(HasSubstr(sentence)));
   };

@@ -65,14 +65,15 @@ TEST(Writer, KeepsASetWhoseNameHasAZeroByte) {
   auto model = test::sample_model();
   using namespace std::string_literals;
   for (const auto& name : {"a\0b"s, "\0"s, "a%00b"s, "a"s}) {
-    auto load = model.body.loads.front();
+    auto load = model.bodies[0].loads.front();
     load.set = name;
-    model.body.loads.push_back(load);
+    model.bodies[0].loads.push_back(load);
   }
   write(folder / "model.h5", model);
   const auto back = read(folder / "model.h5");
-  ASSERT_EQ(back.body.loads.size(), model.body.loads.size());
-  for (std::size_t i = 0; i < back.body.loads.size(); ++i) EXPECT_EQ(back.body.loads[i].set, model.body.loads[i].set);
+  ASSERT_EQ(back.bodies[0].loads.size(), model.bodies[0].loads.size());
+  for (std::size_t i = 0; i < back.bodies[0].loads.size(); ++i)
+    EXPECT_EQ(back.bodies[0].loads[i].set, model.bodies[0].loads[i].set);
 }
 
 TEST(Writer, RefusesPlacesItCannotWriteTo) {

@@ -16,8 +16,19 @@ inline model::Polynomial sample_polynomial() {
 
 inline model::Model nonlinear_sample_model() {
   auto m = sample_model();
-  m.body.reduction = model::Reduction{Eigen::Vector2d(4, 9), Eigen::Vector3d(2, 1, 0.25), 0.25};
-  m.body.polynomial = sample_polynomial();
+  m.bodies[0].reduction = model::Reduction{Eigen::Vector2d(4, 9), Eigen::Vector3d(2, 1, 0.25), 0.25};
+  m.bodies[0].polynomial = sample_polynomial();
+  return m;
+}
+
+/// The sample, and as a second body the one of hardening springs, elsewhere and of a name that is no plain link.
+inline model::Model two_body_model() {
+  auto m = sample_model();
+  auto& arm = m.bodies.emplace_back(nonlinear_sample_model().bodies[0]);
+  arm.name = "arm/upper";
+  arm.checksums = {"00000000000000aa", "00000000000000bb"};
+  arm.geometry.points.col(0).array() += 5;
+  arm.report = {{{"assemble", 2}}, {{"vertices", 4}}, {"the arm's springs harden"}};
   return m;
 }
 

@@ -72,8 +72,6 @@ inline model::Provenance sample_provenance() {
   return {.program = "sample 1.0",
           .versions = {{"HDF5", "1.10.8"}, {"BLAS", "OpenBLAS 0.3.21"}},
           .options = {{"-mesh", "two masses"}, {"-modes", "2"}, {"-quiet", ""}},
-          .mesh_checksum = "0123456789abcdef",
-          .problem_checksum = "fedcba9876543210",
           .ranks = 1};
 }
 
@@ -86,12 +84,14 @@ inline model::Report sample_report() {
 inline model::Model sample_model() {
   model::Model m;
   m.provenance = sample_provenance();
-  m.body.geometry = sample_geometry();
-  m.body.basis = sample_basis();
-  m.body.modes = sample_modes();
-  m.body.inertia = sample_inertia();
-  m.body.loads = sample_loads();
-  m.report = sample_report();
+  auto& body = m.bodies.emplace_back();
+  body.checksums = {"0123456789abcdef", "fedcba9876543210"};
+  body.geometry = sample_geometry();
+  body.basis = sample_basis();
+  body.modes = sample_modes();
+  body.inertia = sample_inertia();
+  body.loads = sample_loads();
+  body.report = sample_report();
   return m;
 }
 

@@ -72,10 +72,10 @@ TEST_F(Inspect, TellsEveryPart) {
 
 TEST_F(Inspect, LeavesAbsentPartsOut) {
   auto model = test::sample_model();
-  model.body.modes.reset();
-  model.body.inertia.reset();
-  model.body.loads.clear();
-  model.report = {};
+  model.bodies[0].modes.reset();
+  model.bodies[0].inertia.reset();
+  model.bodies[0].loads.clear();
+  model.bodies[0].report = {};
   const auto told = described(model);
   for (const auto* part : {"\n  modes", "inertia", "loads", "report"}) EXPECT_THAT(told, Not(HasSubstr(part)));
 }
@@ -94,7 +94,7 @@ TEST_F(Inspect, TellsAndChecksAReductionAndItsPolynomial) {
   EXPECT_THAT(checked(test::nonlinear_sample_model()), HasSubstr("ok  the polynomial's K̃(0) = UᵀKU to 0.0e+00"));
   const auto wrong = [&](const char* sentence, const std::function<void(model::Body&)>& change) {
     auto model = test::nonlinear_sample_model();
-    change(model.body);
+    change(model.bodies[0]);
     EXPECT_THAT([&] { checked(model); }, ThrowsMessage<InputError>(HasSubstr(sentence)));
   };
   wrong("K̃(0) differs from UᵀKU", [](auto& b) { b.polynomial->quadratic[1] = 1e-7; });
@@ -104,10 +104,26 @@ TEST_F(Inspect, TellsAndChecksAReductionAndItsPolynomial) {
   wrong("does not ascend", [](auto& b) { b.reduction->stiffness << 9, 4; });
 }
 
+TEST_F(Inspect, TellsAndChecksEachOfTwoBodies) {
+  const auto told = described(test::two_body_model());
+  for (const auto* line :
+       {"\nbody 'body'\n", "\nbody 'arm/upper'\n", "box  x 0 … 1", "box  x 5 … 6", "0123456789abcdef of 'body'\n",
+        "00000000000000bb of 'arm/upper'\n", "\nreport of 'body'\n", "\nreport of 'arm/upper'\n",
+        "note: the arm's springs harden", "/bodies/arm%2Fupper/geometry/points", "/bodies/arm%2Fupper/report/notes"})
+    EXPECT_THAT(told, HasSubstr(line));
+  const auto lines = checked(test::two_body_model());
+  EXPECT_THAT(lines, AllOf(HasSubstr("ok  body 'body': UᵀMU = I"), HasSubstr("ok  body 'arm/upper': UᵀMU = I"),
+                           HasSubstr("ok  body 'arm/upper': the polynomial's K̃(0) = UᵀKU")));
+  auto model = test::two_body_model();
+  model.bodies[1].modes->eigenvalues << 9, 4;
+  EXPECT_THAT([&] { checked(model); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("/bodies/arm%2Fupper/modes"), HasSubstr("do not ascend"))));
+}
+
 TEST_F(Inspect, FindsWhatIsWrong) {
   const auto wrong = [&](const char* sentence, const std::function<void(model::Body&)>& change) {
     auto model = test::sample_model();
-    change(model.body);
+    change(model.bodies[0]);
     EXPECT_THAT([&] { checked(model); }, ThrowsMessage<InputError>(HasSubstr(sentence)));
   };
   wrong("do not ascend", [](auto& b) { b.modes->eigenvalues << 9, 4; });
@@ -135,14 +151,14 @@ TEST_F(Inspect, FindsWhatIsWrong) {
 
 TEST_F(Inspect, ShowsNamesWithoutEffectOnATerminal) {
   auto model = test::sample_model();
-  model.body.name = "a\x1b[2Jbody";
-  model.body.geometry.sets[0].name = model.body.loads[0].set = "\x1b]0;title\x07";
-  model.body.geometry.materials[0].region = "red\x1b[31m";
+  model.bodies[0].name = "a\x1b[2Jbody";
+  model.bodies[0].geometry.sets[0].name = model.bodies[0].loads[0].set = "\x1b]0;title\x07";
+  model.bodies[0].geometry.materials[0].region = "red\x1b[31m";
   model.provenance.program =
       "\xc2\x9b"
       "31m";
   model.provenance.options[0] = {"-mesh\x1b", "two\rmasses"};
-  model.report.notes[0] = "a\nline";
+  model.bodies[0].report.notes[0] = "a\nline";
   const auto told = described(model);
   for (const auto* shown : {"a\\x1b[2Jbody", "\\x1b]0;title\\x07", "red\\x1b[31m", "\\xc2\\x9b31m", "two\\x0dmasses",
                             "-mesh\\x1b", "a\\x0aline", "größer als nötig"})

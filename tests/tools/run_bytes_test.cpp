@@ -28,7 +28,7 @@ class BytesRead : public testing::Test {
  protected:
   BytesRead() {
     auto model = test::sample_model();
-    auto& body = model.body;
+    auto& body = model.bodies[0];
     body.basis.U = model::RowMatrix::Identity(12, r);
     body.modes.reset();
     body.inertia->gram = Eigen::MatrixXd::Identity(4 + 3 * r, 4 + 3 * r);

@@ -29,7 +29,7 @@ scene::Load load(scene::Target target, decltype(scene::Load::kind) kind) {
 VectorXd force_at(const scene::Scene& scene, double t) {
   const auto model = test::sample_model();
   VectorXd force(2);
-  reduce_loads(scene, model.body).evaluate(scene, t, force);
+  reduce_loads(scene, model.bodies[0]).evaluate(scene, t, force);
   return force;
 }
 
@@ -80,7 +80,7 @@ TEST(ReducedLoads, RampInStatics) {
 TEST(ProbeMatrix, TakesVerticesAndMeans) {
   auto scene = still();
   scene.probes = {{"v", std::int64_t{20}}, {"set", "end/of 50% cells"}};
-  const Eigen::MatrixXd P = probe_matrix(scene, test::sample_model().body);
+  const Eigen::MatrixXd P = probe_matrix(scene, test::sample_model().bodies[0]);
   ASSERT_EQ(P.rows(), 6);
   const VectorXd u = P * Vector2d(4, 6);
   EXPECT_TRUE(u.isApprox((VectorXd(6) << 0, 0, 6 * s, 0, 0, 5 * s).finished()));
@@ -89,7 +89,7 @@ TEST(ProbeMatrix, TakesVerticesAndMeans) {
 TEST(ProbeMatrix, KnowsTheMeanOfASetThatIsNotStored) {
   auto scene = still();
   scene.probes = {{"set", "end/of 50% cells"}};
-  auto body = test::sample_model().body;
+  auto body = test::sample_model().bodies[0];
   body.geometry = {};
   body.basis = {};
   EXPECT_DOUBLE_EQ((probe_matrix(scene, body) * Vector2d(4, 6))[2], 5 * s);
@@ -107,7 +107,7 @@ void expect_refusal(const model::Body& body, const scene::Load& bad, const std::
 }
 
 TEST(ReducedLoads, RefuseWhatTheModelDoesNotHave) {
-  auto body = test::sample_model().body;
+  auto body = test::sample_model().bodies[0];
   expect_refusal(body, load("tpi", scene::TotalForce{}), "no set 'tpi'; did you mean 'tip'?");
   expect_refusal(
       body, load("tip", scene::Pressure{1}),
@@ -125,7 +125,7 @@ TEST(ReducedLoads, RefuseWhatTheModelDoesNotHave) {
 
 /// The sample model, its sets named so.
 model::Body with_sets(const std::string& tip, const std::string& end) {
-  auto body = test::sample_model().body;
+  auto body = test::sample_model().bodies[0];
   for (auto& load : body.loads) load.set = load.set == "tip" ? tip : end;
   body.geometry.sets = {{tip, {1}, 1}, {end, {0, 1}, 2}};
   return body;
@@ -149,7 +149,7 @@ TEST(ReducedLoads, TakeTheKindOfSetThatTheLoadIsFor) {
   scene.probes = {{"p", "grip"}};
   const auto of_grip = probe_matrix(scene, body);
   scene.probes = {{"p", "tip"}};
-  EXPECT_EQ(of_grip, probe_matrix(scene, test::sample_model().body));
+  EXPECT_EQ(of_grip, probe_matrix(scene, test::sample_model().bodies[0]));
 }
 
 TEST(ReducedLoads, RefuseANameThatStaysAmbiguous) {

@@ -92,7 +92,7 @@ TEST(RunNonlinear, TheTimingAddsUpToWhatIsSaid) {
 TEST(RunNonlinear, ALimitPointIsNamed) {
   const test::RunFolder folder;
   auto model = test::nonlinear_sample_model();
-  model.body.polynomial->quartic[4] *= -1;  // softening: f = 9 z - 4 z³ is at most 3√3
+  model.bodies[0].polynomial->quartic[4] *= -1;  // softening: f = 9 z - 4 z³ is at most 3√3
   const auto options = folder.prepare("[static]\nsteps = 10\n" + load(2 * 3 * std::sqrt(3) * root2), model);
   try {
     test::run(options);
@@ -107,8 +107,8 @@ TEST(RunNonlinear, ALimitPointIsNamed) {
 TEST(RunNonlinear, AReductionWithoutAPolynomialIsLinear) {
   const test::RunFolder folder;
   auto model = test::nonlinear_sample_model();
-  model.body.polynomial.reset();
-  model.body.modes.reset();
+  model.bodies[0].polynomial.reset();
+  model.bodies[0].modes.reset();
   test::run(folder.prepare("[time]\nstep = 0.1\nend = 5\n" + load(18) + probe, model));
   for (const auto& row : test::read_csv(folder / "probes.csv").rows)
     EXPECT_NEAR(row[3], 1 - std::cos(3 * row[0]), 1e-13);

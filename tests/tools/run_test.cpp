@@ -182,8 +182,8 @@ TEST(RunRefuses, NumbersThatAreNotFinite) {
 TEST(RunRefuses, ToRestAFreeBody) {
   const test::RunFolder folder;
   auto model = test::sample_model();
-  model.body.modes->kinds[0] = model::ModeKind::rigid;
-  model.body.modes->eigenvalues[0] = 0;
+  model.bodies[0].modes->kinds[0] = model::ModeKind::rigid;
+  model.bodies[0].modes->eigenvalues[0] = 0;
   auto options = folder.prepare("[static]\nsteps = 1\n[[load]]\nvertex = 10\ntotal = [0, 0, 1]", model);
   expect_refusal(folder, options, "the body is free");
   options.scene.clear();
@@ -197,10 +197,10 @@ TEST(RunRefuses, PartsThatAreMissingOrDoNotFit) {
   const test::RunFolder folder;
   const std::string time = "[time]\nstep = 1\nend = 1\n";
   auto model = test::sample_model();
-  model.body.inertia.reset();
+  model.bodies[0].inertia.reset();
   expect_refusal(folder, folder.prepare("gravity = [0, 0, 1]\n" + time, model), "the inertia is missing");
   model = test::sample_model();
-  model.body.modes.reset();
+  model.bodies[0].modes.reset();
   expect_refusal(folder, folder.prepare(time, model), "the modes are missing");
 }
 

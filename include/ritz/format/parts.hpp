@@ -97,13 +97,22 @@ std::vector<model::SetLoad> read_loads(const ModelReader& in, std::string_view b
 void write_provenance(ModelWriter& out, const model::Provenance& provenance);
 model::Provenance read_provenance(const ModelReader& in);
 
-void write_report(ModelWriter& out, const model::Report& report);
-/// Empty when the model has no report.
-model::Report read_report(const ModelReader& in);
+void write_checksums(ModelWriter& out, const model::Checksums& checksums, std::string_view body = schema::default_body);
+model::Checksums read_checksums(const ModelReader& in, std::string_view body = schema::default_body);
 
-/// A whole model at once, from one rank; the body's own name is kept. Commits.
+void write_report(ModelWriter& out, const model::Report& report, std::string_view body = schema::default_body);
+/// Empty when the body has no report.
+model::Report read_report(const ModelReader& in, std::string_view body = schema::default_body);
+
+/// All parts of a body, from one rank, under its own name. Bodies are written one after another.
+void write_body(ModelWriter& out, const model::Body& body);
+/// All parts of the body called `name`. Throws InputError, also when there is no such body and when its parts do not
+/// fit together.
+model::Body read_body(const ModelReader& in, const std::string& name);
+
+/// A whole model at once, from one rank. Commits.
 void write(const std::filesystem::path& path, const model::Model& model);
-/// Everything in the file, the first body of it. Throws InputError also when parts do not fit together.
+/// Everything in the file. Throws InputError as read_body does, and where there is no body.
 model::Model read(const std::filesystem::path& path);
 model::Model read(const ModelReader& in);
 

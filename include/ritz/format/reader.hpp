@@ -21,8 +21,10 @@ class ModelReader : public StoredFile {
   /// The same from the file's bytes (which are copied); `name` stands for the path in messages.
   explicit ModelReader(std::span<const std::byte> image, std::string name = "model in memory");
 
-  /// The names of the bodies in the file.
+  /// The names of the bodies in the file, in the order they were written in.
   std::vector<std::string> bodies() const;
+  /// Throws InputError, which names the nearest body that there is, unless the file has body `name`.
+  void require_body(std::string_view name) const;
   /// Throws InputError when there is none.
   std::string first_body() const;
   /// Whether body `body` has part `part`: schema::geometry, basis, modes, reduction, polynomial, inertia or loads.

@@ -10,7 +10,7 @@ namespace ritz::format::schema {
 
 inline constexpr std::string_view format_name = "ritz-model";
 inline constexpr int major = 1;  ///< raised when an older reader would misread the file
-inline constexpr int minor = 2;  ///< raised when something is added that an older reader may ignore
+inline constexpr int minor = 3;  ///< raised when something is added that an older reader may ignore
 
 // Attributes of the root.
 inline constexpr auto format = "format";
@@ -25,7 +25,7 @@ inline constexpr std::string_view provenance = "/provenance";
 inline constexpr std::string_view bodies = "/bodies";
 inline constexpr std::string_view report = "/report";
 inline constexpr std::string_view vtkhdf = "/VTKHDF";
-inline constexpr std::array<std::string_view, 4> roots = {bodies, provenance, report, vtkhdf};
+inline constexpr std::array<std::string_view, 4> roots = {bodies, provenance, report, vtkhdf};  ///< of the whole file
 inline constexpr std::string_view geometry = "geometry";
 inline constexpr std::string_view basis = "basis";
 inline constexpr std::string_view modes = "modes";
@@ -127,7 +127,9 @@ inline constexpr auto kind = "kind";
 
 /// "parent/child".
 std::string join(std::string_view parent, std::string_view child);
-/// "/bodies/BODY/PART", with BODY as a link name.
+/// "/bodies/BODY", with BODY as a link name.
+std::string body_group(std::string_view body);
+/// "/bodies/BODY/PART".
 std::string body_part(std::string_view body, std::string_view part);
 /// A name as a link: '/', '%' and the zero byte become %2F, %25 and %00, a leading '.' %2E; the empty name is "%".
 std::string link_name(std::string_view name);

@@ -13,7 +13,7 @@ double orthonormality_error(const model::Inertia& inertia);
 double stiffness_error(const model::Body& body);
 
 /// Whether the parts that there are agree on n and r, by their shapes: no numbers are read.
-/// Throws InputError where they do not.
+/// Throws InputError where they do not, and where there is no such body.
 void check_shapes(const ModelReader& in, std::string_view body = schema::default_body);
 
 /// Throws InputError unless the body has what every body has: materials, at least one column of U, a mode (or an entry
@@ -25,8 +25,8 @@ void check_complete(const ModelReader& in, std::string_view body = schema::defau
 /// Throws InputError where one fails.
 void check_witnesses(const ModelReader& in, const model::Body& body);
 
-/// All of the above and every checksum, of the first body. Gives its parts but for U, of which one column at a time is
-/// in memory.
-model::Body check(const ModelReader& in);
+/// All of the above and every checksum, of all bodies. Gives their parts but for U, of which one column at a time is in
+/// memory. Throws InputError, also where there is no body.
+std::vector<model::Body> check(const ModelReader& in);
 
 }  // namespace ritz::format

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "ritz/base/vote.hpp"
 #include "ritz/files/part_file.hpp"
@@ -42,7 +43,8 @@ class ModelWriter {
   void finish();
 
   /// Finishes what is not finished yet, renames, and makes the link PATH with the ending .vtkhdf beside it (where the
-  /// file system can, and never in the place of a real file). Throws std::runtime_error.
+  /// file system can, and never in the place of a real file), through which ParaView sees the first body. Of several
+  /// bodies each gets a small file of its own, MODEL.BODY.vtkhdf. Throws std::runtime_error.
   void commit();
 
   /// Takes disk space for `more` bytes and HDF5's records of them; throws std::runtime_error when there is none.
@@ -62,6 +64,7 @@ class ModelWriter {
   std::filesystem::path path_;
   std::filesystem::path part_;                ///< on all ranks; empty before it is created and after it is committed
   std::optional<files::PartFile> part_file_;  ///< of the rank that writes what is small
+  std::vector<files::PartFile> views_;        ///< of that rank: what shows one of several bodies
   Access access_;
   File file_;
 };

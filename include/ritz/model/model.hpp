@@ -122,25 +122,10 @@ struct Polynomial {
   Eigen::VectorXd quartic;    ///< C, C(r+3, 4) numbers, 1/(s² m² kg)
 };
 
-struct Body {
-  std::string name = "body";
-  Geometry geometry;
-  Basis basis;
-  std::optional<Modes> modes;
-  std::optional<Reduction> reduction;
-  std::optional<Polynomial> polynomial;
-  std::optional<Inertia> inertia;
-  std::vector<SetLoad> loads;
-};
-
-/// What a run depended on.
-struct Provenance {
-  std::string program;                                        ///< "ritz-reduce 0.1.0"
-  std::vector<std::pair<std::string, std::string>> versions;  ///< PETSc, SLEPc, MPI, BLAS
-  std::vector<std::pair<std::string, std::string>> options;   ///< every resolved option
-  std::string mesh_checksum;                                  ///< hash of vertices, cells and regions
-  std::string problem_checksum;                               ///< mesh, materials and supports together
-  int ranks = 1;
+/// What a body was made from, as hashes in hexadecimal.
+struct Checksums {
+  std::string mesh;     ///< of vertices, cells and regions
+  std::string problem;  ///< of these, the materials and the supports: modes depend on nothing else
 };
 
 struct StageTime {
@@ -148,17 +133,39 @@ struct StageTime {
   double seconds;
 };
 
-/// Diagnostics; nothing that a motion depends on.
+/// Diagnostics of a body's reduction; nothing that a motion depends on.
 struct Report {
   std::vector<StageTime> seconds;
   std::vector<std::pair<std::string, double>> figures;  ///< iterations, peak memory, counts
   std::vector<std::string> notes;                       ///< warnings that were printed
 };
 
+/// A reduced body: all that its motion is computed from, and what is known of how it was made.
+struct Body {
+  std::string name = "body";
+  Checksums checksums;
+  Geometry geometry;
+  Basis basis;
+  std::optional<Modes> modes;
+  std::optional<Reduction> reduction;
+  std::optional<Polynomial> polynomial;
+  std::optional<Inertia> inertia;
+  std::vector<SetLoad> loads;
+  Report report;
+};
+
+/// What the run that wrote a model depended on.
+struct Provenance {
+  std::string program;                                        ///< "ritz-reduce 0.1.0"
+  std::vector<std::pair<std::string, std::string>> versions;  ///< PETSc, SLEPc, MPI, BLAS
+  std::vector<std::pair<std::string, std::string>> options;   ///< every resolved option
+  int ranks = 1;
+};
+
+/// What one file holds: one body or several, whose names differ.
 struct Model {
   Provenance provenance;
-  Body body;
-  Report report;
+  std::vector<Body> bodies;
 };
 
 }  // namespace ritz::model

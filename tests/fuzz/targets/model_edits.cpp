@@ -1,4 +1,4 @@
-// A model with every part that was changed in as many ways as the input has bytes for.
+// A model of two bodies, with every part, that was changed in as many ways as the input has bytes for.
 #include <fstream>
 #include <iterator>
 
@@ -19,7 +19,7 @@ struct Sample {
 Sample make_sample() {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   const auto path = as_file({}, "model.h5");
-  format::write(path, test::nonlinear_sample_model());
+  format::write(path, test::two_body_model());
   std::ifstream in(path, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(in), {}};
   const auto all = std::as_bytes(std::span(bytes));
