@@ -7,8 +7,8 @@
 #include <chrono>
 #include <random>
 
-#include "ritz/runtime/forces_batch.hpp"
-#include "ritz/runtime/nonlinear_step.hpp"
+#include "ritz/runtime/polynomial_batch.hpp"
+#include "ritz/runtime/step.hpp"
 
 extern "C" void dsymv_(const char* uplo, const int* n, const double* alpha, const double* A, const int* lda,
                        const double* x, const int* incx, const double* beta, double* y, const int* incy);
@@ -63,7 +63,7 @@ struct Fastest {
 template <class Scalar>
 void evaluation(benchmark::State& state) {
   const Eigen::Index r = state.range(0);
-  const auto forces = make_forces<Scalar>(random_polynomial(r));
+  const auto forces = make_polynomial_force<Scalar>(random_polynomial(r));
   auto result = make_evaluation(forces);
   const Vector<Scalar> z = Vector<Scalar>::LinSpaced(r, -1, 1);
   Symv symv(r);
@@ -82,7 +82,7 @@ BENCHMARK(evaluation<float>)->Arg(20)->Arg(30)->Arg(40)->Arg(60);
 
 void sixteen_instances(benchmark::State& state) {
   const Eigen::Index r = state.range(0), instances = 16;
-  const auto forces = make_forces<double>(random_polynomial(r));
+  const auto forces = make_polynomial_force<double>(random_polynomial(r));
   auto single = make_evaluation(forces);
   auto batch = make_batch_evaluation(forces, instances);
   const Eigen::MatrixXd z = Eigen::MatrixXd::Random(r, instances);
@@ -104,21 +104,23 @@ void implicit_step(benchmark::State& state) {
   const Eigen::Index r = state.range(0);
   auto polynomial = random_polynomial(r);
   polynomial.quadratic *= 1e-3;
-  const auto model = make_nonlinear_model<double>(polynomial, {});
-  const auto method = nonlinear_implicit_euler<double>();
+  const auto model = make_model<double>(polynomial, {});
+  const auto method = implicit_euler();
   const double dt = 0.05;
-  auto workspace = make_workspace(model, method, dt);
+  auto workspace = make_workspace<double>(model, method, dt);
+  auto at = make_evaluation(model.force);
+  auto factors = make_factors<double>(r);
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(r), load = Eigen::VectorXd::Ones(r);
-  const auto start = make_state<double>(model, method.history, rest, rest, load);
+  const auto start = make_state<double>(model, method, rest, rest, load);
   auto moving = start;
-  NonlinearOutcome outcome;
+  Outcome outcome;
   Fastest whole, evaluating, factoring;
   const Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(r, r) * 400;
   for (auto _ : state) {
     moving = start;
     whole.turn(1, [&] { outcome = step<double>(model, moving, {load, load}, dt, workspace); });
-    evaluating.turn(1, [&] { evaluate(model.forces, moving.z(), workspace.at_point); });
-    factoring.turn(1, [&] { factor(matrix, workspace.factors); });
+    evaluating.turn(1, [&] { evaluate<double>(model.force, moving.z(), at); });
+    factoring.turn(1, [&] { factor(matrix, factors); });
   }
   const double parts = outcome.evaluations * evaluating.microseconds + outcome.iterations * factoring.microseconds;
   state.counters["us"] = whole.microseconds;

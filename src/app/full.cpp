@@ -14,7 +14,7 @@
 #include "ritz/base/shown.hpp"
 #include "ritz/parallel/guard.hpp"
 #include "ritz/scene/frames.hpp"
-#include "ritz/scene/room.hpp"
+#include "ritz/scene_file/room.hpp"
 
 namespace ritz::app {
 namespace {

@@ -7,6 +7,7 @@
 #include "ritz/base/error.hpp"
 #include "ritz/base/shown.hpp"
 #include "ritz/parallel/guard.hpp"
+#include "ritz/scene_file/read.hpp"
 
 namespace ritz::app {
 namespace {

@@ -1,21 +1,22 @@
-// The mean force along the step is, for a linear force, the force at the midpoint:
-// (z'_{n+1} - z'_n) / Δt + d m(z') + λ m(z) = m(f),  (z_{n+1} - z_n) / Δt = m(z'),  m the mean of n and n+1.
-#include "ritz/runtime/integrators.hpp"
+// δ / Δt = (z'_n + z'_{n+1}) / 2,  (z'_{n+1} − z'_n) / Δt + D δ / Δt + ∫₀¹ f̃(z_n + s δ) ds = (f_n + f_{n+1}) / 2.
+// Times δ: the kinetic energy changes by the loads' work less the damping's less the change of Ẽ, whatever Δt is.
+#include "ritz/runtime/integrator.hpp"
 
 namespace ritz::runtime {
 namespace {
 
-ModeStep rule(double stiffness, double damping, double dt) {
-  const double d = dt * damping / 2, k = dt * dt * stiffness / 4, pivot = 1 + d + k;
-  ModeStep step;
-  step.A.topLeftCorner<2, 2>() << (1 + d - k) / pivot, dt / pivot, -dt * stiffness / pivot, (1 - d - k) / pivot;
-  step.b.head<2>() << dt * dt / (4 * pivot), dt / (2 * pivot);
-  step.c = step.b;
+ImplicitStep<> average_vector_field() {
+  ImplicitStep<> step{.inertia = 2, .drag = 1, .rule = ForceRule::mean_of_step, .point = 0.5};
+  step.acceleration[1] = 2;
+  step.begin = step.end = 0.5;
+  step.history(0, 0) = 1;
+  step.history(1, 1) = -1;
+  step.change.head<2>() << 1, 2;
   return step;
 }
 
 }  // namespace
 
-Integrator avf() { return {"avf", History::none, rule, rule}; }
+Integrator avf() { return {"avf", History::none, average_vector_field()}; }
 
 }  // namespace ritz::runtime

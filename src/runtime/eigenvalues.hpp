@@ -3,7 +3,9 @@
 
 namespace ritz::runtime {
 
-/// Of a symmetric matrix, ascending: its smallest tells a limit point, its largest the longest explicit step.
+/// The eigenvalues of a symmetric matrix, ascending.
 Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& symmetric);
+/// Those of `symmetric` x = λ `mass` x, with a positive definite mass.
+Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& symmetric, const Eigen::MatrixXd& mass);
 
 }  // namespace ritz::runtime

@@ -5,7 +5,7 @@
 // one or two zeros; each of the branches below is where its formula loses no more than a digit.
 #include <cmath>
 
-#include "ritz/runtime/integrators.hpp"
+#include "ritz/runtime/integrator.hpp"
 
 namespace ritz::runtime {
 namespace {
@@ -85,11 +85,11 @@ Response response(Real K, Real C) {
   return K >= C * C / 4 ? underdamped(K, C) : overdamped(K, C);
 }
 
-ModeStep rule(double stiffness, double damping, double dt) {
+OscillatorStep exact_step(double stiffness, double damping, double dt) {
   const Real h = dt, K = Real(stiffness) * h * h;
   const Response r = response(K, Real(damping) * h);
   const auto number = [](Real x) { return static_cast<double>(x); };
-  ModeStep step;
+  OscillatorStep step;
   step.A.topLeftCorner<2, 2>() << number(r.at_rest), number(h * r.g), number(-stiffness * h * r.g), number(r.g_prime);
   step.b.head<2>() << number(h * h * (r.G1 - r.G2)), number(h * (r.g - r.G1));
   step.c.head<2>() << number(h * h * r.G2), number(h * r.G1);
@@ -98,6 +98,6 @@ ModeStep rule(double stiffness, double damping, double dt) {
 
 }  // namespace
 
-Integrator exact() { return {"exact", History::none, rule, rule}; }
+Integrator exact() { return {"exact", History::none, exact_step}; }
 
 }  // namespace ritz::runtime

@@ -73,6 +73,12 @@ void factor(const Matrix<Scalar>& matrix, Factors<Scalar>& factors) {
     factors.reciprocals = factors.cholesky.matrixLLT().diagonal().cwiseInverse();
     return;
   }
+  factor_unsymmetric(matrix, factors);
+}
+
+template <class Scalar>
+void factor_unsymmetric(const Matrix<Scalar>& matrix, Factors<Scalar>& factors) {
+  factors.definite = false;
   factors.lu = matrix;
   factor_lu(factors.lu, factors.swaps);
 }
@@ -89,6 +95,8 @@ template Factors<double> make_factors(Index);
 template Factors<float> make_factors(Index);
 template void factor(const Matrix<double>&, Factors<double>&);
 template void factor(const Matrix<float>&, Factors<float>&);
+template void factor_unsymmetric(const Matrix<double>&, Factors<double>&);
+template void factor_unsymmetric(const Matrix<float>&, Factors<float>&);
 template void solve_in_place(const Factors<double>&, Vector<double>&);
 template void solve_in_place(const Factors<float>&, Vector<float>&);
 

@@ -1,73 +1,200 @@
 #include "ritz/runtime/step.hpp"
 
+#include <cmath>
+
+#include "attempt.hpp"
+#include "eigenvalues.hpp"
+#include "oscillator_tables.hpp"
+#include "part_derivative.hpp"
+#include "ritz/base/error.hpp"
+#include "ritz/base/shown.hpp"
+
 namespace ritz::runtime {
 namespace {
 
-/// A rule that bounds the step refuses it; the bound that holds for all modes is the stiffest one's.
-void refuse_unstable(const Oscillators& model, StepRule rule, double dt) {
-  if (model.size() == 0) return;
-  Eigen::Index stiffest = 0;
-  model.stiffness.maxCoeff(&stiffest);
-  rule(model.stiffness[stiffest], model.damping[stiffest], dt);
+/// The highest frequency at rest, rad/s.
+template <class Scalar>
+double highest_frequency(const Model<Scalar>& model) {
+  const Vector<Scalar> rest = Vector<Scalar>::Zero(model.size());
+  auto inertia = make_inertia_at<Scalar>(model.size());
+  evaluate<Scalar>(model.inertia, rest, rest, rest, inertia);
+  const Eigen::MatrixXd stiffness = stiffness_at_rest(model.force).template cast<double>();
+  const double largest = std::holds_alternative<UnitInertia>(model.inertia)
+                             ? eigenvalues(stiffness).maxCoeff()
+                             : eigenvalues(stiffness, inertia.mass.template cast<double>()).maxCoeff();
+  return std::sqrt(std::max(0.0, largest));
 }
 
-void tabulate(const Oscillators& model, StepRule rule, double dt, int width, Eigen::ArrayXXd& table) {
-  refuse_unstable(model, rule, dt);
-  for (Eigen::Index mode = 0; mode < model.size(); ++mode) {
-    const ModeStep coefficients = rule(model.stiffness[mode], model.damping[mode], dt);
-    for (int i = 0; i < width; ++i) {
-      for (int j = 0; j < width; ++j) table(mode, i * width + j) = coefficients.A(i, j);
-      table(mode, width * width + i) = coefficients.b[i];
-      table(mode, width * (width + 1) + i) = coefficients.c[i];
-    }
+template <class Scalar>
+NewtonRoom<Scalar> make_room(const Model<Scalar>& model, const Integrator& integrator) {
+  const Eigen::Index r = model.size();
+  const Vector<Scalar> none = Vector<Scalar>::Zero(r);
+  const Matrix<Scalar> square = Matrix<Scalar>::Zero(r, r);
+  const bool varies = std::holds_alternative<VaryingInertia<Scalar>>(model.inertia);
+  NewtonRoom<Scalar> room{.at_point = make_evaluation(model.force),
+                          .mean = make_mean_evaluation(model.force),
+                          .inertia = make_inertia_at<Scalar>(varies ? r : 0),
+                          .jacobian = square,
+                          .position_tangent = square,
+                          .position_tangent_sum = square,
+                          .factors = make_factors<Scalar>(r),
+                          .before = {Matrix<Scalar>::Zero(r, history_size(integrator.history)), 0}};
+  for (auto* vector :
+       {&room.target, &room.acceleration, &room.velocity, &room.delta, &room.point, &room.residual, &room.correction,
+        &room.correction_taken, &room.begin, &room.end, &room.position_force, &room.position_point, &room.position_sum})
+    *vector = none;
+  if (std::holds_alternative<ExplicitStep<>>(integrator.step)) room.highest_frequency = highest_frequency(model);
+  return room;
+}
+
+/// y_c := Σ_j history_cj y_j + change_c x of each coordinate.
+template <class Scalar, class Numbers>
+void advance(const Numbers& numbers, const Vector<Scalar>& unknown, Scalar dt, State<Scalar>& state) {
+  const Eigen::Index width = state.history.cols();
+  for (Eigen::Index i = 0; i < unknown.size(); ++i) {
+    Eigen::Matrix<Scalar, 4, 1> next = numbers.change * unknown[i];
+    for (Eigen::Index j = 0; j < width; ++j) next += numbers.history.col(j) * state.history(i, j);
+    state.history.row(i) = next.head(width).transpose();
   }
+  state.last_dt = dt;
 }
 
-void prepare(const Oscillators& model, double dt, Workspace& workspace) {
-  const Integrator& integrator = workspace.integrator;
-  const int width = history_size(integrator.history);
-  tabulate(model, integrator.step, dt, width, workspace.step);
-  if (integrator.start != integrator.step) tabulate(model, integrator.start, dt, width, workspace.start);
-  workspace.dt = dt;
+/// One attempt at a part of a step; advances the state where it succeeds.
+template <class Scalar>
+Outcome attempt(const Model<Scalar>& model, State<Scalar>& state, const StepLoad<Scalar>& load,
+                const StepPart<Scalar>& part, Scalar dt, Workspace<Scalar>& workspace,
+                StepDerivative<Scalar>* derivative) {
+  const auto& integrator = workspace.integrator;
+  auto& room = std::get<NewtonRoom<Scalar>>(workspace.room);
+  if (const auto* method = std::get_if<ExplicitStep<>>(&integrator.step)) {
+    const auto numbers = scaled(*method, integrator.history, dt);
+    const auto outcome = solve_explicit(model, state, load, part, numbers, dt, room);
+    if (outcome.status != Status::done) return outcome;
+    if (derivative) chain_explicit(model, numbers, load, part, room, *derivative);
+    advance(numbers, room.acceleration, dt, state);
+    return outcome;
+  }
+  const bool starts = integrator.start && state.last_dt != dt;
+  const auto numbers =
+      scaled(starts ? *integrator.start : std::get<ImplicitStep<>>(integrator.step), integrator.history, dt);
+  const auto outcome = solve_implicit(model, state, load, part, numbers, workspace.options, room);
+  if (outcome.status != Status::done) return outcome;
+  if (derivative) chain_implicit(model, state, load, part, numbers, room, *derivative);
+  advance(numbers, room.delta, dt, state);
+  return outcome;
+}
+
+template <class Scalar>
+Outcome step_in_parts(const Model<Scalar>& model, State<Scalar>& state, const StepLoad<Scalar>& load, Scalar dt,
+                      Workspace<Scalar>& workspace, StepDerivative<Scalar>* derivative) {
+  auto& room = std::get<NewtonRoom<Scalar>>(workspace.room);
+  refuse_unstable(workspace.integrator, room.highest_frequency, double(dt));
+  const auto narrowest = std::ldexp(Scalar(1), -workspace.options.halvings);
+  Outcome outcome;
+  room.before = state;
+  StepPart<Scalar> part;
+  auto& [at, width] = part;
+  while (at < 1) {
+    room.begin = (1 - at) * load.begin + at * load.end;
+    room.end = (1 - at - width) * load.begin + (at + width) * load.end;
+    const auto tried = attempt(model, state, load, part, width * dt, workspace, derivative);
+    outcome.iterations += tried.iterations;
+    outcome.evaluations += tried.evaluations;
+    outcome.status = state.history.allFinite() ? tried.status : Status::not_finite;
+    if (outcome.status == Status::done) {
+      room.residual.setZero();
+      add_damping<Scalar>(model, 1, room.delta, room.residual);
+      outcome.work += static_cast<double>((room.begin + room.end).dot(room.delta)) / 2;
+      if (load.position) outcome.work += static_cast<double>(room.position_force.dot(room.delta));
+      outcome.dissipated += static_cast<double>(room.residual.dot(room.delta) / (width * dt));
+      at += width;
+      if (width < 1 && std::fmod(at, 2 * width) == 0) width *= 2;
+      continue;
+    }
+    ++outcome.rejected;
+    width /= 2;
+    if (tried.status != Status::done && width >= narrowest) continue;
+    state = room.before;
+    return outcome;
+  }
+  return outcome;
+}
+
+template <class Scalar>
+Outcome take_step(const Model<Scalar>& model, State<Scalar>& state, const StepLoad<Scalar>& load, Scalar dt,
+                  Workspace<Scalar>& workspace, StepDerivative<Scalar>* derivative) {
+  if (auto* tables = std::get_if<OscillatorTables<Scalar>>(&workspace.room)) {
+    if (load.position) throw std::logic_error("a workspace made for loads of time was given a force of position");
+    return step_from_tables(model, state, load, dt, workspace.integrator, *tables, derivative);
+  }
+  return step_in_parts(model, state, load, dt, workspace, derivative);
 }
 
 }  // namespace
 
-Workspace make_workspace(const Oscillators& model, const Integrator& integrator, double dt) {
-  const int width = history_size(integrator.history);
-  Workspace workspace{.integrator = integrator};
-  workspace.step.resize(model.size(), width * (width + 2));
-  if (integrator.start != integrator.step) workspace.start.resize(model.size(), width * (width + 2));
-  workspace.next.resize(model.size(), width);
-  prepare(model, dt, workspace);
-  return workspace;
+template <class Scalar>
+Workspace<Scalar> make_workspace(const Model<Scalar>& model, const Integrator& integrator,
+                                 std::type_identity_t<Scalar> dt, const NewtonOptions<Scalar>& options, Loads loads) {
+  if (!(dt > 0)) throw InputError("a step of " + shown(dt) + " s is not positive");
+  if (is_oscillators(model) && loads == Loads::of_time)
+    return {integrator, options, make_tables(model, integrator, dt)};
+  if (std::holds_alternative<OscillatorRule>(integrator.step))
+    throw InputError("the integrator '" + std::string(integrator.name) +
+                     "' is for linear models under loads that depend on time alone");
+  auto room = make_room(model, integrator);
+  refuse_unstable(integrator, room.highest_frequency, double(dt));
+  return {integrator, options, std::move(room)};
 }
 
-State make_state(const Oscillators& model, const Integrator& integrator, Eigen::Ref<const Eigen::VectorXd> z,
-                 Eigen::Ref<const Eigen::VectorXd> velocity, Eigen::Ref<const Eigen::VectorXd> load) {
-  State state;
-  state.history.setZero(model.size(), history_size(integrator.history));
+template <class Scalar>
+State<Scalar> make_state(const Model<Scalar>& model, const Integrator& integrator, VectorRef<Scalar> z,
+                         VectorRef<Scalar> velocity, VectorRef<Scalar> load) {
+  const Eigen::Index r = model.size();
+  State<Scalar> state;
+  state.history.setZero(r, history_size(integrator.history));
   state.history.col(0) = z;
   state.history.col(1) = velocity;
-  if (integrator.history == History::acceleration)
-    state.history.col(2) = load.array() - model.damping * velocity.array() - model.stiffness * z.array();
+  if (integrator.history != History::acceleration) return state;
+  auto at = make_evaluation(model.force);
+  evaluate<Scalar>(model.force, z, at);
+  Vector<Scalar> force = load;
+  add_damping<Scalar>(model, -1, velocity, force);
+  force -= at.force;
+  if (!std::holds_alternative<UnitInertia>(model.inertia)) {
+    auto inertia = make_inertia_at<Scalar>(r);
+    const Vector<Scalar> none = Vector<Scalar>::Zero(r);
+    evaluate<Scalar>(model.inertia, z, velocity, none, inertia);
+    force -= inertia.force;
+    auto factors = make_factors<Scalar>(r);
+    factor(inertia.mass, factors);
+    solve_in_place(factors, force);
+  }
+  state.history.col(2) = force;
   return state;
 }
 
-Outcome step(const Oscillators& model, State& state, const StepLoad& load, double dt, Workspace& workspace) {
-  if (dt != workspace.dt) prepare(model, dt, workspace);
-  const bool starts = workspace.integrator.start != workspace.integrator.step && state.last_dt != dt;
-  const Eigen::ArrayXXd& table = starts ? workspace.start : workspace.step;
-  const Eigen::Index width = workspace.next.cols();
-  for (Eigen::Index i = 0; i < width; ++i) {
-    auto next = workspace.next.col(i).array();
-    next = table.col(width * width + i) * load.begin.array() + table.col(width * (width + 1) + i) * load.end.array();
-    for (Eigen::Index j = 0; j < width; ++j) next += table.col(i * width + j) * state.history.col(j).array();
-  }
-  if (!workspace.next.allFinite()) return {Status::not_finite};
-  state.history.swap(workspace.next);
-  state.last_dt = dt;
-  return {};
+template <class Scalar>
+Outcome step(const Model<Scalar>& model, State<Scalar>& state, const StepLoad<Scalar>& load,
+             std::type_identity_t<Scalar> dt, Workspace<Scalar>& workspace) {
+  return take_step<Scalar>(model, state, load, dt, workspace, nullptr);
 }
+
+template <class Scalar>
+Outcome step(const Model<Scalar>& model, State<Scalar>& state, const StepLoad<Scalar>& load,
+             std::type_identity_t<Scalar> dt, Workspace<Scalar>& workspace, StepDerivative<Scalar>& derivative) {
+  auto chained = make_step_derivative(model, workspace.integrator);
+  const auto outcome = take_step<Scalar>(model, state, load, dt, workspace, &chained);
+  if (outcome.status == Status::done) derivative = std::move(chained);
+  return outcome;
+}
+
+#define RITZ_INSTANCE(S)                                                                                       \
+  template Workspace<S> make_workspace(const Model<S>&, const Integrator&, S, const NewtonOptions<S>&, Loads); \
+  template State<S> make_state(const Model<S>&, const Integrator&, VectorRef<S>, VectorRef<S>, VectorRef<S>);  \
+  template Outcome step(const Model<S>&, State<S>&, const StepLoad<S>&, S, Workspace<S>&);                     \
+  template Outcome step(const Model<S>&, State<S>&, const StepLoad<S>&, S, Workspace<S>&, StepDerivative<S>&);
+RITZ_INSTANCE(double)
+RITZ_INSTANCE(float)
+#undef RITZ_INSTANCE
 
 }  // namespace ritz::runtime

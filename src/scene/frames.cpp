@@ -1,4 +1,4 @@
-#include "frames.hpp"
+#include "ritz/scene/frames.hpp"
 
 #include <algorithm>
 

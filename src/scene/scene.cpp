@@ -1,4 +1,4 @@
-#include "scene.hpp"
+#include "ritz/scene/scene.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "ritz/base/error.hpp"
-#include "ritz/runtime/nonlinear_statics.hpp"
+#include "ritz/runtime/statics.hpp"
 
 namespace ritz::stages {
 namespace {
@@ -62,18 +62,13 @@ Index fewest(const ReducedPath& path, double target) {
 
 double static_error(const model::Polynomial& polynomial, const ReducedPath& path) {
   const Index r = polynomial.r, levels = path.loads.cols();
-  const auto model = runtime::make_nonlinear_model<double>(polynomial, {});
+  const auto model = runtime::make_model<double>(polynomial, {});
   auto workspace = runtime::make_static_workspace<double>(model);
   runtime::Vector<double> z = runtime::Vector<double>::Zero(r), begin = z;
   double worst = 0;
   for (Index level = 0; level < levels; ++level) {
     const runtime::Vector<double> end = path.loads.col(level).head(r);
-    try {
-      runtime::solve_static<double>(model, {begin, end, double(level) / levels, double(level + 1) / levels}, z,
-                                    workspace);
-    } catch (const NumericalError&) {
-      return nothing_found;
-    }
+    if (runtime::solve_static<double>(model, {begin, end}, z, workspace).failure) return nothing_found;
     const double square = path.squares[level] - 2 * z.dot(path.truth.col(level).head(r)) + z.squaredNorm();
     worst = std::max(worst, square / path.squares[level]);
     begin = end;

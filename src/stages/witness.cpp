@@ -8,7 +8,7 @@
 #include "ritz/base/random.hpp"
 #include "ritz/base/shown.hpp"
 #include "ritz/parallel/comm.hpp"
-#include "ritz/runtime/forces.hpp"
+#include "ritz/runtime/polynomial_force.hpp"
 #include "ritz/stages/internal_force.hpp"
 #include "ritz/stages/rayleigh_ritz.hpp"
 
@@ -70,7 +70,7 @@ Figures polynomial_witness(const Problem& problem, mesh::VertexRef u, const mode
   const Eigen::ArrayXd rounding = 10 * epsilon * one_norm(matrices.stiffness) *
                                   petsc::column_norms(mesh.comm, displaced).array() *
                                   petsc::column_norms(mesh.comm, u).maxCoeff();
-  const auto forces = runtime::make_forces<double>(polynomial);
+  const auto forces = runtime::make_polynomial_force<double>(polynomial);
   auto evaluation = runtime::make_evaluation(forces);
   double force = 0, energy = 0;
   for (Index d = 0; d < decades; ++d) {

@@ -9,21 +9,20 @@
 #include <utility>
 
 #include "inside_out.hpp"
+#include "progress.hpp"
 #include "ritz/base/counted.hpp"
 #include "ritz/base/error.hpp"
-#include "ritz/base/printable.hpp"
 #include "ritz/base/shown.hpp"
 #include "ritz/files/claim.hpp"
 #include "ritz/files/names.hpp"
 #include "ritz/format/parts.hpp"
-#include "ritz/scene/room.hpp"
-#include "ritz/scene/scene.hpp"
-#include "run_analysis.hpp"
-#include "run_balance.hpp"
+#include "ritz/scene_file/read.hpp"
+#include "ritz/scene_file/room.hpp"
+#include "ritz/world/loads.hpp"
 #include "run_body.hpp"
 #include "run_frames.hpp"
-#include "run_loads.hpp"
-#include "run_nonlinear.hpp"
+#include "run_recorder.hpp"
+#include "run_text.hpp"
 
 namespace ritz::tools {
 namespace {
@@ -69,25 +68,52 @@ std::string overdamped(const scene::Damping& damping) {
          "damping, and 2 % is written 0.02";
 }
 
-Cost run_analysis(const RunOptions& options, const scene::Scene& scene, const model::Body& body, Recorder& recorder) {
-  const Visible progress = options.voice == Voice::quiet ? Visible::no : on_terminal();
+void refuse_unfit(const RunOptions& options, const scene::Scene& scene, const model::Body& body) {
   const auto* time = std::get_if<scene::Time>(&scene.analysis);
-  if (body.polynomial)
-    return time ? run_nonlinear_transient(scene, *time, body, options.precision, recorder, progress)
-                : run_nonlinear_statics(scene, std::get<scene::Static>(scene.analysis), body, options.precision,
-                                        recorder);
-  if (options.precision == Precision::single)
+  if (body.polynomial && time && time->integrator == scene::Integrator::exact)
+    throw InputError(
+        "the integrator 'exact' is for linear models, and this one is nonlinear: choose avf, implicit-euler, newmark, "
+        "generalized-alpha, bdf2 or central-difference, or run it with --linear");
+  if (!body.polynomial && options.precision == world::Precision::single)
     throw InputError("--single is for nonlinear forces, and these are linear: leave it out");
-  return time ? run_transient(scene, *time, body, recorder, progress)
-              : run_statics(scene, std::get<scene::Static>(scene.analysis), body, recorder);
 }
 
-void say_cost(const Cost& cost, const scene::Scene& scene, const model::Body& body, std::ostream& out) {
+world::RunResult run_recorded(const RunOptions& options, const scene::Scene& scene, const model::Body& body,
+                              Recorder& recorder) {
+  Progress line(count_steps(scene), options.voice == Voice::quiet ? Visible::no : on_terminal());
+  std::int64_t states = 0;
+  const auto result = world::run(scene, body, options.precision,
+                                 {.state =
+                                      [&](double t, const auto& z) {
+                                        recorder.record(t, z);
+                                        line.at(states++);
+                                      },
+                                  .cost = [&](const world::StepCost& cost) { recorder.cost(cost); }});
+  if (result.failure) fail(result, scene, body);
+  return result;
+}
+
+void say_cost(const world::RunResult& cost, const scene::Scene& scene, const model::Body& body, std::ostream& out) {
   const bool timed = std::holds_alternative<scene::Time>(scene.analysis);
-  out << cost.steps << (timed ? " steps" : " load steps") << " of " << reduced_size(body) << " coordinates in "
+  out << cost.steps << (timed ? " steps" : " load steps") << " of " << world::reduced_size(body) << " coordinates in "
       << std::setprecision(3) << cost.seconds << " s, " << 1e6 * cost.seconds / static_cast<double>(cost.steps)
       << " µs a step; ";
   if (body.polynomial) out << cost.iterations << " Newton iterations, " << cost.rejected << " steps rejected; ";
+}
+
+/// ψ sin ωt over one period of `frequency` Hz at `states` times, from 0; the period's end is its beginning and not
+/// repeated. The largest displacement is a tenth of the diagonal of the body's bounding box.
+void swing_mode(const model::Body& body, double frequency, std::int64_t states, Recorder& recorder) {
+  const auto& points = body.geometry.points;
+  const double diagonal = (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
+  const Eigen::Map<const model::Points> shape(body.basis.U.data(), points.rows(), 3);
+  const double largest = shape.rowwise().norm().maxCoeff();
+  const double amplitude = largest > 0 ? 0.1 * diagonal / largest : 1;
+  for (std::int64_t k = 0; k < states; ++k) {
+    const double turn = static_cast<double>(k) / static_cast<double>(states);
+    const Eigen::VectorXd z = Eigen::VectorXd::Constant(1, amplitude * std::sin(2 * M_PI * turn));
+    recorder.record(turn / frequency, z);
+  }
 }
 
 void run_scene(const RunOptions& options, const format::ModelReader& in, std::ostream& out, std::ostream& err) {
@@ -97,27 +123,28 @@ void run_scene(const RunOptions& options, const format::ModelReader& in, std::os
   const auto drawn = frames == 0 ? Frames::none : Frames::some;
   const auto names = claim(options, drawn, scene.probes.empty() ? Tables::none : Tables::probes);
   const model::Body body = read_body(in, scene, drawn, options.forces);
-  refuse_rigid_motion(in, scene, body);
+  if (const auto left_out = world::left_out_motions(scene, body)) refuse(*left_out, in.name());
+  refuse_unfit(options, scene, body);
   scene::refuse_beyond_room({.steps = steps,
                              .frames = frames,
-                             .bytes_a_step = 8.0 * static_cast<double>(1 + reduced_size(body)),
+                             .bytes_a_step = 8.0 * static_cast<double>(1 + world::reduced_size(body)),
                              .bytes_a_frame = 8.0 * static_cast<double>(body.geometry.points.size())},
                             options.output, std::numeric_limits<double>::infinity());
   const auto frame_states = frame_schedule(options, steps);
 
-  const auto plan = plan_scene(scene, steps, frame_states, reduced_size(body));
+  const auto plan = plan_scene(scene, steps, frame_states, world::reduced_size(body));
   Recorder recorder(options.output, body, plan, frame_states);
-  if (!scene.probes.empty()) recorder.add_probes(scene.probes, probe_matrix(scene, body));
+  if (!scene.probes.empty()) recorder.add_probes(scene.probes, world::probe_matrix(scene, body));
   if (!options.timing.empty()) recorder.add_timing(options.timing);
 
   if (const auto text = overdamped(scene.damping); !text.empty()) err << "ritz-run: warning: " << text << '\n';
-  const Cost cost = run_analysis(options, scene, body, recorder);
+  const auto cost = run_recorded(options, scene, body, recorder);
   recorder.commit(names);
-  if (!cost.warning.empty()) err << "ritz-run: warning: " << printable(cost.warning) << '\n';
+  if (cost.gain) err << "ritz-run: warning: " << warning(*cost.gain, integrator_name(scene, body)) << '\n';
   if (options.voice == Voice::quiet) return;
   say_cost(cost, scene, body, out);
   out << frame_states.size() << " frames in " << options.output.string() << '\n';
-  if (!cost.balance.empty()) out << cost.balance << '\n';
+  if (cost.energy) out << balance_line(*cost.energy) << '\n';
   if (const auto cells = inside_out(body.geometry, recorder.latest()); cells > 0)
     out << counted(cells, "cell is", "cells are") << " inside out at the end\n";
 }

@@ -4,6 +4,7 @@
 
 #include "ritz/base/error.hpp"
 #include "ritz/format/sound.hpp"
+#include "ritz/world/rigid_motions.hpp"
 
 namespace ritz::tools {
 namespace {
@@ -17,18 +18,13 @@ bool any_target(const scene::Scene& scene) {
 
 }  // namespace
 
-Eigen::Index reduced_size(const model::Body& body) {
-  return body.reduction ? body.reduction->stiffness.size() : body.modes->eigenvalues.size();
-}
-
 model::Body read_body(const format::ModelReader& in, const scene::Scene& scene, Frames frames, Forces forces) {
   model::Body body;
   body.name = in.first_body();
   format::check_complete(in, body.name);
   body.reduction = format::read_reduction(in, body.name);
   body.modes = format::read_modes(in, body.name);
-  const bool lacks_motions =
-      body.reduction && body.modes && std::ranges::count(body.modes->kinds, model::ModeKind::rigid) > 0;
+  const bool lacks_motions = world::lacks_motions(body);
   if (forces == Forces::stored) body.polynomial = format::read_polynomial(in, body.name);
   if (frames == Frames::some || any_target<std::int64_t>(scene) || lacks_motions) {
     body.geometry = format::read_geometry(in, body.name);

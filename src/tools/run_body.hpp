@@ -9,9 +9,6 @@ namespace ritz::tools {
 
 enum class Frames : unsigned char { none, some };
 
-/// r, the number of reduced coordinates: of the reduction, or else of the modes.
-Eigen::Index reduced_size(const model::Body& body);
-
 /// Reads the first body: its reduction or, where U is the modes, these; the polynomial if there is one and `forces`
 /// wants it; points, cells and U for frames or single vertices; loads for named sets; inertia for gravity and shaking;
 /// modes, geometry and inertia also where a reduction may leave out rigid motions.

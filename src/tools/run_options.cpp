@@ -44,7 +44,7 @@ void declare(CLI::App& app, RunOptions& options) {
   app.add_option("--timing", options.timing, "Write what each step cost, without recording, as a table")
       ->type_name("FILE.csv");
   app.add_flag_callback(
-      "--single", [&] { options.precision = Precision::single; },
+      "--single", [&] { options.precision = world::Precision::single; },
       "Compute in single precision (nonlinear models only)");
   app.add_flag_callback(
       "--linear", [&] { options.forces = Forces::linear; },

@@ -6,10 +6,11 @@
 #include <string>
 #include <variant>
 
+#include "ritz/world/run.hpp"
+
 namespace ritz::tools {
 
 enum class Voice : unsigned char { normal, quiet };
-enum class Precision : unsigned char { twofold, single };
 /// Which forces the body has: the polynomial's where the model has one, or those of small displacements.
 enum class Forces : unsigned char { stored, linear };
 
@@ -21,7 +22,7 @@ struct RunOptions {
   std::optional<std::int64_t> animate_mode;  ///< from 1, all modes counted, rigid ones too
   std::optional<std::int64_t> frames;        ///< how many displacement frames, evenly spread
   std::optional<std::int64_t> every;         ///< a frame every so many steps
-  Precision precision = Precision::twofold;  ///< of the nonlinear runtime
+  world::Precision precision = world::Precision::twofold;  ///< of the nonlinear runtime
   Forces forces = Forces::stored;
   Voice voice = Voice::normal;
 };

@@ -38,7 +38,7 @@ const model::Points& Recorder::latest() {
   return displacement_;
 }
 
-void Recorder::cost(const StepCost& step) {
+void Recorder::cost(const world::StepCost& step) {
   if (timing_) timing_->row(step);
 }
 

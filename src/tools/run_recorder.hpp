@@ -28,7 +28,7 @@ class Recorder {
 
   void record(double t, Eigen::Ref<const Eigen::VectorXd> z);
   /// Of the step that led to the state which is recorded next.
-  void cost(const StepCost& step);
+  void cost(const world::StepCost& step);
 
   /// The displacements of the latest state, n x 3, m; of a body without vertices 0 x 3.
   const model::Points& latest();

@@ -5,7 +5,6 @@
 #include <new>
 
 #include "ritz/base/aligned.hpp"
-#include "ritz/runtime/integrators.hpp"
 #include "ritz/runtime/reconstruction.hpp"
 #include "ritz/runtime/step.hpp"
 #include "runtime/nonlinear_support.hpp"
@@ -42,8 +41,9 @@ struct NoEigenMalloc {
 
 constexpr Eigen::Index r = 300;
 
-Oscillators some_oscillators() {
-  return {.stiffness = Eigen::ArrayXd::LinSpaced(r, 0, 4e4), .damping = Eigen::ArrayXd::LinSpaced(r, 0, 3)};
+Model<double> some_oscillators() {
+  return {.force = LinearForce<double>{Eigen::VectorXd::LinSpaced(r, 0, 4e4)},
+          .damping = Eigen::VectorXd(Eigen::VectorXd::LinSpaced(r, 0, 3))};
 }
 
 TEST(Allocation, IsNoticed) {
@@ -60,17 +60,17 @@ TEST(Allocation, OfOperatorNewIsNoticed) {
 }
 
 TEST(Allocation, NoneInAStepOfAnyIntegrator) {
-  const Oscillators model = some_oscillators();
+  const auto model = some_oscillators();
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(r), force = Eigen::VectorXd::Ones(r);
   for (const auto& integrator :
        {exact(), implicit_euler(), newmark(), generalized_alpha(), bdf2(), central_difference(), avf()}) {
-    State state = make_state(model, integrator, rest, rest, force);
-    Workspace workspace = make_workspace(model, integrator, 1e-3);
+    auto state = make_state<double>(model, integrator, rest, rest, force);
+    auto workspace = make_workspace<double>(model, integrator, 1e-3);
     const long before = news;
     {
       const NoEigenMalloc forbidden;
-      for (int i = 0; i < 5; ++i) step(model, state, {force, force}, 1e-3, workspace);
-      step(model, state, {force, force}, 5e-4, workspace);  // another length of step
+      for (int i = 0; i < 5; ++i) step<double>(model, state, {force, force}, 1e-3, workspace);
+      step<double>(model, state, {force, force}, 5e-4, workspace);  // another length of step
     }
     EXPECT_EQ(news, before) << integrator.name;
     EXPECT_GT(state.z().norm(), 0);
@@ -79,10 +79,11 @@ TEST(Allocation, NoneInAStepOfAnyIntegrator) {
 
 template <class Scalar>
 void expect_no_allocation(Eigen::Index size) {
-  for (const auto& method : test::all_methods<Scalar>())
+  for (const auto& method : test::all_methods())
     for (const int iterations : {25, 1}) {  // one iteration: the step is rejected, halved, and given up
-      auto motion = test::start(test::random_polynomial(size), method, 0.1, Eigen::VectorXd::Ones(size), 1,
-                                {.alpha = 0.1, .beta = 0.01, .ratio = {}}, {.iterations = iterations, .halvings = 3});
+      auto motion =
+          test::start<Scalar>(test::random_polynomial(size), method, 0.1, Eigen::VectorXd::Ones(size), 1,
+                              {.alpha = 0.1, .beta = 0.01, .ratio = {}}, {.iterations = iterations, .halvings = 3});
       const long before = news;
       {
         const NoEigenMalloc forbidden;
@@ -116,9 +117,9 @@ TEST(Allocation, NoneWhereTheMatrixIsIndefinite) {
 
 TEST(Allocation, NoneInReconstruction) {
   const model::Basis basis{model::RowMatrix::Random(3 * 50, r)};
-  const Oscillators model = some_oscillators();
+  const auto model = some_oscillators();
   const Eigen::VectorXd z = Eigen::VectorXd::Random(r);
-  const State state = make_state(model, exact(), z, z, z);
+  const auto state = make_state<double>(model, exact(), z, z, z);
   model::Points u(50, 3);
   const long before = news;
   {

@@ -1,4 +1,4 @@
-#include "ritz/runtime/forces.hpp"
+#include "ritz/runtime/internal_force.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "ritz/base/error.hpp"
-#include "ritz/runtime/forces_batch.hpp"
+#include "ritz/runtime/polynomial_batch.hpp"
 #include "support/sample_polynomial.hpp"
 
 namespace ritz::runtime {
@@ -40,7 +40,7 @@ const std::vector<Eigen::Index> sizes = {1, 2, 3, 4, 5, 6, 7, 8, 9, 13, 20, 30, 
 TEST(Forces, AreThoseOfTheStrains) {
   for (const auto r : sizes) {
     const auto strains = test::random_strains(r, 10);
-    const auto forces = make_forces<double>(test::polynomial_of(strains));
+    const auto forces = make_polynomial_force<double>(test::polynomial_of(strains));
     auto result = make_evaluation(forces);
     for (const double scale : {0.0, 1e-3, 1.0, 30.0}) {
       const VectorXd z = scale * VectorXd::LinSpaced(r, -1, 0.7);
@@ -56,7 +56,7 @@ TEST(Forces, AreThoseOfTheStrains) {
 
 TEST(Forces, AreTheDerivativeOfTheEnergy) {
   const Eigen::Index r = 6;
-  const auto forces = make_forces<double>(test::random_polynomial(r));
+  const auto forces = make_polynomial_force<double>(test::random_polynomial(r));
   auto here = make_evaluation(forces), there = make_evaluation(forces);
   const VectorXd z = VectorXd::LinSpaced(r, 0.4, -0.5);
   evaluate(forces, z, here);
@@ -77,8 +77,8 @@ TEST(Forces, AreTheDerivativeOfTheEnergy) {
 TEST(Forces, InSinglePrecision) {
   for (const auto r : sizes) {
     const auto polynomial = test::random_polynomial(r);
-    const auto wide = make_forces<double>(polynomial);
-    const auto narrow = make_forces<float>(polynomial);
+    const auto wide = make_polynomial_force<double>(polynomial);
+    const auto narrow = make_polynomial_force<float>(polynomial);
     auto expected = make_evaluation(wide);
     auto result = make_evaluation(narrow);
     const VectorXd z = VectorXd::LinSpaced(r, -1, 0.7);
@@ -93,7 +93,7 @@ TEST(Forces, InSinglePrecision) {
 template <class Scalar>
 void expect_batch_is_single(double tolerance) {
   for (const auto r : sizes) {
-    const auto forces = make_forces<Scalar>(test::random_polynomial(r));
+    const auto forces = make_polynomial_force<Scalar>(test::random_polynomial(r));
     const Eigen::Index instances = 11;
     auto batch = make_batch_evaluation(forces, instances);
     auto single = make_evaluation(forces);
@@ -115,11 +115,11 @@ TEST(Forces, OfABatchAreThoseOfEach) {
 
 TEST(Forces, MeanAlongAStepDoesTheWorkOfTheEnergy) {
   for (const auto r : sizes) {
-    const auto forces = make_forces<double>(test::random_polynomial(r));
-    auto mean = make_mean_evaluation(forces);
+    const auto forces = make_polynomial_force<double>(test::random_polynomial(r));
+    auto mean = make_mean_evaluation(InternalForce<double>(forces));
     auto begin = make_evaluation(forces), end = begin;
     const VectorXd z = VectorXd::LinSpaced(r, -1, 0.7), d = VectorXd::LinSpaced(r, 2, 0.5);
-    evaluate_mean(forces, z, d, mean);
+    evaluate_mean<double>(InternalForce<double>(forces), z, d, mean);
     evaluate(forces, z, begin);
     evaluate(forces, z + d, end);
     EXPECT_NEAR(mean.force.dot(d), end.energy - begin.energy, 1e-13 * end.energy) << r;
@@ -128,20 +128,20 @@ TEST(Forces, MeanAlongAStepDoesTheWorkOfTheEnergy) {
 
 TEST(Forces, MeanHasItsDerivative) {
   const Eigen::Index r = 5;
-  const auto forces = make_forces<double>(test::random_polynomial(r));
-  auto here = make_mean_evaluation(forces), above = here, below = here;
+  const auto forces = make_polynomial_force<double>(test::random_polynomial(r));
+  auto here = make_mean_evaluation(InternalForce<double>(forces)), above = here, below = here;
   const VectorXd z = VectorXd::LinSpaced(r, -1, 0.7), d = VectorXd::LinSpaced(r, 1, 0.5);
-  evaluate_mean(forces, z, d, here);
+  evaluate_mean<double>(InternalForce<double>(forces), z, d, here);
   for (Eigen::Index i = 0; i < r; ++i) {
     const VectorXd side = 1e-5 * VectorXd::Unit(r, i);
-    evaluate_mean(forces, z, d + side, above);
-    evaluate_mean(forces, z, d - side, below);
+    evaluate_mean<double>(InternalForce<double>(forces), z, d + side, above);
+    evaluate_mean<double>(InternalForce<double>(forces), z, d - side, below);
     EXPECT_LE(((above.force - below.force) / 2e-5 - here.tangent.col(i)).norm(), 1e-8 * here.tangent.norm());
   }
 }
 
 TEST(Forces, TellOfWhatIsNotFinite) {
-  const auto forces = make_forces<double>(test::random_polynomial(6));
+  const auto forces = make_polynomial_force<double>(test::random_polynomial(6));
   auto result = make_evaluation(forces);
   VectorXd z = VectorXd::Ones(6);
   z[3] = std::numeric_limits<double>::quiet_NaN();
@@ -156,13 +156,13 @@ TEST(Forces, TellOfWhatIsNotFinite) {
 TEST(Forces, OfAPolynomialThatIsNotWhole) {
   auto polynomial = test::random_polynomial(4);
   polynomial.cubic.conservativeResize(polynomial.cubic.size() - 1);
-  EXPECT_THROW(make_forces<double>(polynomial), InputError);
-  EXPECT_THROW(make_forces<float>(model::Polynomial{}), InputError);
+  EXPECT_THROW(make_polynomial_force<double>(polynomial), InputError);
+  EXPECT_THROW(make_polynomial_force<float>(model::Polynomial{}), InputError);
 }
 
 TEST(Forces, TangentAtRestIsTheQuadraticPart) {
   const auto strains = test::random_strains(5, 10);
-  const auto forces = make_forces<double>(test::polynomial_of(strains));
+  const auto forces = make_polynomial_force<double>(test::polynomial_of(strains));
   EXPECT_LE((forces.linear - strains.a.transpose() * strains.a).norm(), 1e-13 * 100);
 }
 

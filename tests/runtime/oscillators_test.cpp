@@ -1,4 +1,4 @@
-#include "ritz/runtime/oscillators.hpp"
+#include "ritz/runtime/model.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,32 +16,40 @@ model::Modes modes() {
   return m;
 }
 
+const Eigen::VectorXd& stiffness(const Model<double>& model) {
+  return std::get<LinearForce<double>>(model.force).stiffness;
+}
+
+const Eigen::VectorXd& damping(const Model<double>& model) { return std::get<Vector<double>>(model.damping); }
+
 TEST(Oscillators, RigidModesHaveNoStiffnessAndOnlyAlpha) {
   const std::array ratio = {.1};
-  const Oscillators o = make_oscillators(modes(), {.alpha = .5, .beta = .01, .ratio = ratio});
-  EXPECT_EQ(o.stiffness[0], 0);
-  EXPECT_EQ(o.damping[0], .5);
-  EXPECT_DOUBLE_EQ(o.damping[1], .5 + .04 + 2 * .1 * 2);
+  const auto o = make_model(modes(), {.alpha = .5, .beta = .01, .ratio = ratio});
+  EXPECT_EQ(stiffness(o)[0], 0);
+  EXPECT_EQ(damping(o)[0], .5);
+  EXPECT_DOUBLE_EQ(damping(o)[1], .5 + .04 + 2 * .1 * 2);
 }
 
 TEST(Oscillators, RatiosCountFlexibleModesAndHoldTheLast) {
   const std::array ratio = {.01, .02};
-  const Oscillators o = make_oscillators(modes(), {.ratio = ratio});
-  EXPECT_EQ(o.damping[0], 0);
-  EXPECT_DOUBLE_EQ(o.damping[1], 2 * .01 * 2);
-  EXPECT_DOUBLE_EQ(o.damping[2], 2 * .02 * 3);
-  EXPECT_DOUBLE_EQ(o.damping[3], 2 * .02 * 4);
+  const auto o = make_model(modes(), {.ratio = ratio});
+  EXPECT_EQ(damping(o)[0], 0);
+  EXPECT_DOUBLE_EQ(damping(o)[1], 2 * .01 * 2);
+  EXPECT_DOUBLE_EQ(damping(o)[2], 2 * .02 * 3);
+  EXPECT_DOUBLE_EQ(damping(o)[3], 2 * .02 * 4);
 }
 
 TEST(Oscillators, RefuseANegativeEigenvalue) {
   auto m = modes();
   m.eigenvalues[2] = -1;
-  EXPECT_THROW(make_oscillators(m, {}), InputError);
+  EXPECT_THROW(make_model(m, {}), InputError);
 }
 
 TEST(Oscillators, EnergyIsKineticPlusElastic) {
-  const Oscillators o = make_oscillators(modes(), {});
-  EXPECT_DOUBLE_EQ(energy(o, Eigen::Vector4d(5, 1, 2, 0), Eigen::Vector4d(1, 0, 0, 2)), .5 * (1 + 4 + 4 + 36));
+  const auto o = make_model(modes(), {});
+  auto room = make_evaluation(o.force);
+  const Eigen::VectorXd z = Eigen::Vector4d(5, 1, 2, 0), velocity = Eigen::Vector4d(1, 0, 0, 2);
+  EXPECT_DOUBLE_EQ(energy<double>(o, z, velocity, room), .5 * (1 + 4 + 4 + 36));
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 TEST(Rejection, AnAttemptThatDoesNotConvergeIsHalved) {
   const NewtonOptions<double> hasty{.iterations = 3};
-  for (const auto& method : test::implicit_methods<double>()) {
+  for (const auto& method : test::implicit_methods()) {
     auto motion = test::start(test::random_polynomial(4, 20), method, 1.0, VectorXd::Ones(4), 40, {}, hasty);
     const auto outcome = motion.step();
     EXPECT_EQ(outcome.status, Status::done) << method.name;
@@ -30,7 +30,7 @@ TEST(Rejection, AnAttemptThatDoesNotConvergeIsHalved) {
 TEST(Rejection, HalvesMakeTheStepsOfThatLength) {
   const NewtonOptions<double> hasty{.iterations = 3};
   const auto polynomial = test::random_polynomial(4, 20);
-  auto motion = test::start(polynomial, nonlinear_avf<double>(), 1.0, VectorXd::Ones(4), 0, {}, hasty);
+  auto motion = test::start(polynomial, avf(), 1.0, VectorXd::Ones(4), 0, {}, hasty);
   const double begin = motion.energy();
   const auto outcome = motion.step();
   ASSERT_EQ(outcome.status, Status::done);
@@ -42,10 +42,10 @@ TEST(Rejection, LoadAndDampingWorkAlongTheHalves) {
   const NewtonOptions<double> hasty{.iterations = 3};
   const auto polynomial = test::random_polynomial(4, 20);
   for (const Damping& damping : {Damping{}, Damping{.alpha = .3, .beta = .02, .ratio = {}}}) {
-    auto motion = test::start(polynomial, nonlinear_avf<double>(), 1.0, VectorXd::Ones(4), 0, damping, hasty);
+    auto motion = test::start(polynomial, avf(), 1.0, VectorXd::Ones(4), 0, damping, hasty);
     const double begin = motion.energy();
     const VectorXd first = VectorXd::Zero(4), last = VectorXd::Constant(4, 40);
-    const auto outcome = step(motion.model, motion.state, {first, last}, 1.0, motion.workspace);
+    const auto outcome = step<double>(motion.model, motion.state, {first, last}, 1.0, motion.workspace);
     ASSERT_EQ(outcome.status, Status::done);
     ASSERT_GT(outcome.rejected, 0);
     EXPECT_EQ(outcome.dissipated > 0, damping.alpha > 0);
@@ -55,7 +55,7 @@ TEST(Rejection, LoadAndDampingWorkAlongTheHalves) {
 
 TEST(Rejection, LeavesTheStateWhenHalvingDoesNotHelp) {
   const NewtonOptions<double> never{.iterations = 0, .halvings = 3};
-  for (const auto& method : test::implicit_methods<double>()) {
+  for (const auto& method : test::implicit_methods()) {
     auto motion = test::start(test::random_polynomial(4), method, 0.1, VectorXd::Ones(4), 1, {}, never);
     const auto before = motion.state;
     const auto outcome = motion.step();
@@ -67,13 +67,13 @@ TEST(Rejection, LeavesTheStateWhenHalvingDoesNotHelp) {
 }
 
 TEST(Rejection, OfWhatIsNotFinite) {
-  for (const auto& method : test::all_methods<double>()) {
+  for (const auto& method : test::all_methods()) {
     auto motion = test::start(test::random_polynomial(4), method, 0.1, VectorXd::Ones(4), 1);
     motion.step();
     const auto before = motion.state;
     for (const double bad : {infinite, -infinite, std::numeric_limits<double>::quiet_NaN()}) {
       const VectorXd load = VectorXd::Constant(4, bad);
-      const auto outcome = step(motion.model, motion.state, {load, load}, 0.1, motion.workspace);
+      const auto outcome = step<double>(motion.model, motion.state, {load, load}, 0.1, motion.workspace);
       EXPECT_NE(outcome.status, Status::done) << method.name << bad;
       EXPECT_GT(outcome.rejected, 0);
       EXPECT_EQ(motion.state.history, before.history) << method.name;
@@ -83,7 +83,7 @@ TEST(Rejection, OfWhatIsNotFinite) {
 }
 
 TEST(Rejection, OfAnExplicitStepThatIsUnstableAtRest) {
-  const auto method = nonlinear_central_difference<double>();
+  const auto method = central_difference();
   for (const double stiffness : {25., 3.999961, 2.6243e12, 7e-9}) {
     const auto polynomial = test::duffing(stiffness, 1);
     const double longest = 2 / std::sqrt(stiffness);
@@ -102,7 +102,7 @@ TEST(Rejection, OfAnExplicitStepThatIsUnstableAtRest) {
   EXPECT_EQ(motion.step().status, Status::done);
   motion.dt = 0.41;
   EXPECT_THROW(motion.step(), InputError);
-  EXPECT_THROW(test::start(polynomial, nonlinear_avf<double>(), 0.0, VectorXd::Ones(1)), InputError);
+  EXPECT_THROW(test::start(polynomial, avf(), 0.0, VectorXd::Ones(1)), InputError);
 }
 
 }  // namespace

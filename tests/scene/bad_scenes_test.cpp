@@ -3,7 +3,7 @@
 #include <sys/stat.h>
 
 #include "ritz/base/error.hpp"
-#include "ritz/scene/scene.hpp"
+#include "ritz/scene_file/read.hpp"
 #include "scene/temporary_scene.hpp"
 
 namespace ritz::scene {

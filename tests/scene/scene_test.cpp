@@ -1,4 +1,4 @@
-#include "ritz/scene/scene.hpp"
+#include "ritz/scene_file/read.hpp"
 
 #include <gmock/gmock.h>
 

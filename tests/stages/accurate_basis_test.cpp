@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "ritz/base/error.hpp"
-#include "ritz/runtime/nonlinear_statics.hpp"
+#include "ritz/runtime/statics.hpp"
 #include "ritz/stages/canonical.hpp"
 #include "ritz/stages/full_statics.hpp"
 #include "ritz/stages/reduce_polynomial.hpp"
@@ -53,7 +53,7 @@ class AccurateBasis : public testing::TestWithParam<const char*> {
   /// The error of a basis, from its own polynomial.
   double error(const Tall& U) const {
     const auto model =
-        runtime::make_nonlinear_model<double>(stages::reduce_polynomial(r.p, *stages::polynomial_laws(r.p.materials),
+        runtime::make_model<double>(stages::reduce_polynomial(r.p, *stages::polynomial_laws(r.p.materials),
                                                                         mesh::to_vertices(r.p.mesh, r.p.dofs, U)),
                                               {});
     auto room = runtime::make_static_workspace(model);
@@ -61,11 +61,8 @@ class AccurateBasis : public testing::TestWithParam<const char*> {
     double worst = 0;
     for (Index level = 0; level < 2; ++level) {
       const Eigen::VectorXd load = petsc::inner(r.p.mesh.comm, U, path.loads.col(level));
-      try {
-        runtime::solve_static<double>(model, {.begin = last, .end = load}, z, room);
-      } catch (const NumericalError&) {
+      if (runtime::solve_static<double>(model, {.begin = last, .end = load}, z, room).failure)
         return std::numeric_limits<double>::infinity();
-      }
       last = load;
       worst = std::max(worst, r.norms(U * z - path.truth.col(level))[0] / r.norms(path.truth.col(level))[0]);
     }

@@ -5,7 +5,7 @@
 
 #include "ritz/base/error.hpp"
 #include "ritz/base/random.hpp"
-#include "ritz/runtime/forces.hpp"
+#include "ritz/runtime/polynomial_force.hpp"
 #include "ritz/stages/internal_force.hpp"
 #include "ritz/stages/reduce_polynomial.hpp"
 #include "ritz/stages/tangent.hpp"
@@ -40,7 +40,7 @@ class Polynomial : public testing::TestWithParam<Case> {
 };
 
 TEST_P(Polynomial, IsTheFullModelOverNineDecades) {
-  const auto forces = runtime::make_forces<double>(polynomial);
+  const auto forces = runtime::make_polynomial_force<double>(polynomial);
   auto at = runtime::make_evaluation(forces);
   stages::Tangent tangent = stages::empty_tangent(r.p);
   for (int decade = -6; decade < 3; ++decade) {

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "ritz/base/error.hpp"
-#include "ritz/tools/run_energy.hpp"
 #include "support/nonlinear_sample_model.hpp"
 #include "tools/run_support.hpp"
 
@@ -44,7 +43,7 @@ TEST(RunNonlinear, FollowsTheOscillatorWithEveryIntegrator) {
   const double expected = duffing_at(1, 20) / root2;
   for (const std::string name :
        {"", "implicit-euler", "newmark", "generalized-alpha", "bdf2", "central-difference", "avf"})
-    for (const auto precision : {Precision::twofold, Precision::single}) {
+    for (const auto precision : {world::Precision::twofold, world::Precision::single}) {
       const test::RunFolder folder;
       const std::string choice = name.empty() ? "" : "integrator = '" + name + "'\n";
       auto options = folder.prepare("[time]\nstep = 1e-3\nend = 1\n" + choice + load(20 * root2) + probe,
@@ -55,9 +54,9 @@ TEST(RunNonlinear, FollowsTheOscillatorWithEveryIntegrator) {
       EXPECT_THAT(said, HasSubstr("Newton iterations, 0 steps rejected"));
       EXPECT_THAT(said, Not(HasSubstr("warning")));
       EXPECT_NEAR(test::read_csv(folder / "probes.csv").rows.back()[3], expected,
-                  name == "implicit-euler"         ? 2e-2
-                  : precision == Precision::single ? 2e-3
-                                                   : 2e-4)
+                  name == "implicit-euler"                ? 2e-2
+                  : precision == world::Precision::single ? 2e-3
+                                                          : 2e-4)
           << name;
     }
 }
@@ -114,18 +113,6 @@ TEST(RunNonlinear, AReductionWithoutAPolynomialIsLinear) {
     EXPECT_NEAR(row[3], 1 - std::cos(3 * row[0]), 1e-13);
 }
 
-TEST(RunNonlinear, EnergyIsComparedWithTheWork) {
-  EnergyWatch watch(0);
-  watch.add_work(2);
-  watch.look(1, 2.15);
-  EXPECT_EQ(watch.warning("newmark"), "");
-  watch.add_work(-1);
-  watch.look(2, 1.15);
-  EXPECT_EQ(watch.warning("newmark"), "");
-  watch.look(3, 1.5);
-  EXPECT_THAT(watch.warning("newmark"), HasSubstr("from t = 3 s on the motion gained energy without work, up to 25 %"));
-}
-
 TEST(RunNonlinear, WarnsOfEnergyFromNowhere) {
   const std::string scene =
       "[time]\nstep = 0.2\nend = 80\nintegrator = 'newmark'\n[[load]]\nset = 'tip'\n"
@@ -150,12 +137,6 @@ std::pair<double, double> balance(const std::string& printed) {
 }
 
 TEST(RunNonlinear, PrintsTheBalanceOfTheEnergy) {
-  EnergyWatch watch(0);
-  watch.add_work(2);
-  watch.look(1, 2.5);
-  watch.look(2, 1.75);
-  EXPECT_EQ(watch.balance(),
-            "energy balance of E - E0 - W + Q: at most 0.5 J gained and 0.25 J lost; E0 + W - Q at most 2 J");
   const test::RunFolder folder;
   const std::string scene = "[time]\nstep = 0.1\nend = 1\n" + load(20);
   for (const auto* damping : {"", "[damping]\nalpha = 0.1\n", "[damping]\nalpha = 0.3\nbeta = 0.02\n"}) {
@@ -184,7 +165,7 @@ TEST(RunNonlinear, RefusesWhatIsForLinearModels) {
   options.animate_mode = 1;
   expect_refusal(options, "columns are not modes");
   auto linear = folder.prepare("[time]\nstep = 0.1\nend = 1\n");
-  linear.precision = Precision::single;
+  linear.precision = world::Precision::single;
   expect_refusal(linear, "--single is for nonlinear forces");
   expect_refusal(
       folder.prepare("[time]\nstep = 1\nend = 3\nintegrator = 'central-difference'\n", test::nonlinear_sample_model()),

@@ -3,11 +3,11 @@
 #include <Eigen/Cholesky>
 #include <vector>
 
-#include "ritz/runtime/forces.hpp"
+#include "ritz/runtime/polynomial_force.hpp"
 
 namespace ritz::runtime {
 
-/// A symmetric matrix, factored by Cholesky's method or, where that fails, by pivoted LU.
+/// A matrix, factored by Cholesky's method or by pivoted LU.
 template <class Scalar>
 struct Factors {
   Eigen::LLT<Matrix<Scalar>> cholesky;
@@ -19,9 +19,12 @@ struct Factors {
 
 template <class Scalar>
 Factors<Scalar> make_factors(Eigen::Index r);
-/// Does not allocate.
+/// Of a symmetric matrix, by LU where Cholesky's method fails. Does not allocate.
 template <class Scalar>
 void factor(const Matrix<Scalar>& matrix, Factors<Scalar>& factors);
+/// Of any matrix. Does not allocate.
+template <class Scalar>
+void factor_unsymmetric(const Matrix<Scalar>& matrix, Factors<Scalar>& factors);
 /// x := matrix⁻¹ x. Does not allocate.
 template <class Scalar>
 void solve_in_place(const Factors<Scalar>& factors, Vector<Scalar>& x);

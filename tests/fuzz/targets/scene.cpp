@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "fuzz/target.hpp"
-#include "ritz/scene/scene.hpp"
+#include "ritz/scene_file/read.hpp"
 
 namespace ritz::fuzz {
 

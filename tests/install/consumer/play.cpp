@@ -2,7 +2,6 @@
 #include <cstdio>
 
 #include "ritz/format/parts.hpp"
-#include "ritz/runtime/integrators.hpp"
 #include "ritz/runtime/reconstruction.hpp"
 #include "ritz/runtime/step.hpp"
 
@@ -13,12 +12,12 @@ int main(int argc, char** argv) {
   const auto basis = ritz::format::read_basis(file);
 
   using namespace ritz::runtime;
-  const Oscillators model = make_oscillators(*modes, {});
+  const auto model = make_model(*modes, {});
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(model.size());
   const Eigen::VectorXd blow = basis.U.row(5).transpose();  // 1 kg m/s upon vertex 1, along z
-  State state = make_state(model, exact(), rest, blow, rest);
-  Workspace workspace = make_workspace(model, exact(), 0.01);
-  for (int n = 0; n < 100; ++n) step(model, state, {rest, rest}, 0.01, workspace);
+  auto state = make_state<double>(model, exact(), rest, blow, rest);
+  auto workspace = make_workspace<double>(model, exact(), 0.01);
+  for (int n = 0; n < 100; ++n) step<double>(model, state, {rest, rest}, 0.01, workspace);
 
   ritz::model::Points u(basis.U.rows() / 3, 3);
   reconstruct(basis, state.z(), u);

@@ -1,0 +1,15 @@
+// Reduced vectors and matrices.
+#pragma once
+#include <Eigen/Core>
+#include <type_traits>
+
+namespace ritz::runtime {
+
+template <class Scalar>
+using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+template <class Scalar>
+using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+template <class Scalar>
+using VectorRef = Eigen::Ref<const Vector<std::type_identity_t<Scalar>>>;
+
+}  // namespace ritz::runtime

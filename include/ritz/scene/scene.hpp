@@ -1,0 +1,98 @@
+// A scene: what is done to a body, in plain structs. scene_file reads it from TOML; the serial and the parallel
+// programs use it. SI units throughout.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace ritz::scene {
+
+using Vector3 = std::array<double, 3>;
+
+enum class Integrator { exact, implicit_euler, newmark, generalized_alpha, bdf2, central_difference, avf };
+
+/// As scene files spell them, in the order of the enumeration.
+inline constexpr std::array<std::string_view, 7> integrator_names = {
+    "exact", "implicit-euler", "newmark", "generalized-alpha", "bdf2", "central-difference", "avf"};
+
+/// Piecewise linear in time: (t, value) pairs, t strictly ascending, at least one; the first value holds before, the
+/// last one after.
+struct Table {
+  std::vector<std::pair<double, double>> points;
+  double at(double t) const;
+};
+
+/// Where something acts: a named set, or one vertex by the mesh file's own number.
+using Target = std::variant<std::string, std::int64_t>;
+
+struct TotalForce {
+  Vector3 newton;
+};  ///< shared equally by all vertices of the target
+struct EachForce {
+  Vector3 newton;
+};  ///< on every vertex of the target
+struct Pressure {
+  double pascal;
+};  ///< on a surface set, positive pushes into the body
+struct Traction {
+  Vector3 pascal;
+};  ///< on a surface set, consistent
+
+struct Load {
+  Target target;
+  std::variant<TotalForce, EachForce, Pressure, Traction> kind;
+  std::optional<Table> table;  ///< a factor over time; absent: constant 1, in statics the load fraction
+};
+
+/// Ground acceleration direction * table(t) m/s² of all supports (the direction is not normalised); motion is then
+/// relative to the ground.
+struct Shake {
+  Vector3 direction;
+  Table table;
+};
+
+struct Damping {
+  double alpha = 0;           ///< 1/s, D = alpha M + beta K
+  double beta = 0;            ///< s
+  std::vector<double> ratio;  ///< modal damping ratios, one a flexible mode, the last one held; adds to the rest
+};
+
+/// t = 0, step, 2 step, ... up to the first that reaches `end`.
+struct Time {
+  double step;
+  double end;
+  std::optional<Integrator> integrator;  ///< absent: the model's default
+};
+
+/// Load fractions t = 1/steps, 2/steps, ... 1: constant loads and gravity are multiplied by t; a load with a table by
+/// table(t) instead.
+struct Static {
+  int steps;
+};
+
+struct Probe {
+  std::string name;
+  Target target;  ///< a set: the plain mean over its vertices
+};
+
+struct Scene {
+  std::variant<Time, Static> analysis;
+  Damping damping;
+  std::optional<Vector3> gravity;  ///< m/s²
+  std::optional<Shake> shake;
+  std::vector<Load> loads;
+  std::vector<Probe> probes;
+};
+
+/// How many steps reach `end`; 1e-9 of a step is forgiven, so that 1 s in steps of 0.1 s is ten.
+std::int64_t step_count(const Time& time);
+
+/// What a load (or, without a table, gravity) is multiplied by at time or load fraction t.
+double factor(const Scene& scene, const std::optional<Table>& table, double t);
+
+}  // namespace ritz::scene

@@ -1,0 +1,72 @@
+#include "attempt.hpp"
+
+namespace ritz::runtime {
+namespace {
+
+/// A varying inertia is solved for again with the velocity that its solution means, at most so often.
+constexpr int repeats_of_varying = 50;
+
+/// Factors M + drag D.
+template <class Scalar>
+void factor_mass(const Model<Scalar>& model, Scalar drag, NewtonRoom<Scalar>& room) {
+  room.jacobian.setZero();
+  add_damping<Scalar>(model, drag, room.jacobian);
+  if (std::holds_alternative<UnitInertia>(model.inertia)) room.jacobian.diagonal().array() += 1;
+  else if (const auto* constant = std::get_if<ConstantInertia<Scalar>>(&model.inertia)) room.jacobian += constant->mass;
+  else room.jacobian += room.inertia.mass;
+  factor(room.jacobian, room.factors);
+}
+
+/// M(q) a + h(q, v) with v = drag a + velocity: h is taken at the last a until that does not change it.
+template <class Scalar>
+void solve_varying(const Model<Scalar>& model, const ExplicitStep<Scalar>& numbers, NewtonRoom<Scalar>& room) {
+  constexpr Scalar rounding = 4 * std::numeric_limits<Scalar>::epsilon();
+  room.correction = room.velocity;
+  room.position_sum.setZero();
+  for (int n = 0; n < repeats_of_varying; ++n) {
+    evaluate<Scalar>(model.inertia, room.point, room.correction, room.position_sum, room.inertia);  // at a = 0: h
+    if (n == 0) factor_mass(model, numbers.drag, room);
+    room.residual = room.target - room.inertia.force;
+    solve_in_place(room.factors, room.residual);
+    const Scalar change = (room.residual - room.acceleration).norm();
+    room.acceleration = room.residual;
+    room.correction = room.velocity + numbers.drag * room.acceleration;
+    if (n > 0 && change <= rounding * room.acceleration.norm()) return;
+  }
+}
+
+}  // namespace
+
+template <class Scalar>
+Outcome solve_explicit(const Model<Scalar>& model, const State<Scalar>& state, const StepLoad<Scalar>& load,
+                       const StepPart<Scalar>& part, const ExplicitStep<Scalar>& numbers, Scalar dt,
+                       NewtonRoom<Scalar>& room) {
+  combine(state.history, numbers.displacement, room.delta);
+  combine(state.history, numbers.velocity, room.velocity);
+  room.point = state.z() + room.delta;
+  evaluate<Scalar>(model.force, room.point, room.at_point);
+  room.target = room.end - room.at_point.force;
+  add_damping<Scalar>(model, -1, room.velocity, room.target);
+  if (load.position) {
+    (*load.position)(room.point, part.at + part.width, room.position_force, room.position_tangent);
+    room.target += room.position_force;
+  }
+  if (std::holds_alternative<VaryingInertia<Scalar>>(model.inertia)) {
+    solve_varying(model, numbers, room);
+  } else {
+    if (room.factored_dt != dt) factor_mass(model, numbers.drag, room);
+    room.factored_dt = dt;
+    room.acceleration = room.target;
+    solve_in_place(room.factors, room.acceleration);
+  }
+  return {.status = room.acceleration.allFinite() ? Status::done : Status::not_finite, .evaluations = 1};
+}
+
+#define RITZ_INSTANCE(S)                                                                                    \
+  template Outcome solve_explicit(const Model<S>&, const State<S>&, const StepLoad<S>&, const StepPart<S>&, \
+                                  const ExplicitStep<S>&, S, NewtonRoom<S>&);
+RITZ_INSTANCE(double)
+RITZ_INSTANCE(float)
+#undef RITZ_INSTANCE
+
+}  // namespace ritz::runtime

@@ -1,0 +1,190 @@
+#include <cmath>
+
+#include "attempt.hpp"
+
+namespace ritz::runtime {
+namespace {
+
+/// How often a correction that enlarges the residual is halved.
+constexpr int shortenings = 5;
+
+template <class Scalar>
+bool takes_mean(const ImplicitStep<Scalar>& numbers) {
+  return numbers.rule == ForceRule::mean_of_step;
+}
+
+/// The parts of the equation that δ does not change: loads, and what the history adds to inertia and damping.
+template <class Scalar>
+void write_target(const Model<Scalar>& model, const State<Scalar>& state, const ImplicitStep<Scalar>& numbers,
+                  NewtonRoom<Scalar>& room) {
+  combine(state.history, numbers.acceleration, room.acceleration);
+  room.target = numbers.begin * room.begin + numbers.end * room.end;
+  if (std::holds_alternative<UnitInertia>(model.inertia)) room.target += room.acceleration;
+  if (const auto* constant = std::get_if<ConstantInertia<Scalar>>(&model.inertia))
+    room.target.noalias() += constant->mass * room.acceleration;
+  combine(state.history, numbers.velocity, room.velocity);
+  if (!numbers.velocity.isZero(0)) add_damping<Scalar>(model, 1, room.velocity, room.target);
+}
+
+/// Evaluates the equation at δ, leaves what is left of it in room.residual and returns what that is measured by.
+template <class Scalar>
+Scalar evaluate_residual(const Model<Scalar>& model, const State<Scalar>& state, const StepLoad<Scalar>& load,
+                         const StepPart<Scalar>& part, const ImplicitStep<Scalar>& numbers, NewtonRoom<Scalar>& room) {
+  evaluate_forces(model, state, load, part, numbers, room);
+  const auto& force = takes_mean(numbers) ? room.mean.force : room.at_point.force;
+  Scalar scale = force.norm() + room.target.norm();
+  if (std::holds_alternative<UnitInertia>(model.inertia)) {
+    room.residual = numbers.inertia * room.delta + force - room.target;
+    scale = numbers.inertia * room.delta.norm() + force.norm() + room.target.norm();
+  } else if (const auto* constant = std::get_if<ConstantInertia<Scalar>>(&model.inertia)) {
+    room.residual.noalias() = numbers.inertia * constant->mass * room.delta;
+    scale += room.residual.norm();
+    room.residual += force - room.target;
+  } else {
+    evaluate_inertia(model, state, numbers, room);
+    room.residual = room.inertia.force + force - room.target;
+    scale += room.inertia.force.norm();
+  }
+  add_damping<Scalar>(model, numbers.drag, room.delta, room.residual);
+  if (load.position) {
+    room.residual -= room.position_force;
+    scale += room.position_force.norm();
+  }
+  return scale;
+}
+
+/// δ −= (the factored matrix)⁻¹ R; returns the length of the change.
+template <class Scalar>
+Scalar correct(NewtonRoom<Scalar>& room) {
+  room.correction = room.residual;
+  solve_in_place(room.factors, room.correction);
+  room.delta -= room.correction;
+  return room.correction.norm();
+}
+
+/// The force that depends on the position, at one point or its mean, and its derivative by δ.
+template <class Scalar>
+void evaluate_position_force(const State<Scalar>& state, const PositionForce<Scalar>& position,
+                             const StepPart<Scalar>& part, const ImplicitStep<Scalar>& numbers,
+                             NewtonRoom<Scalar>& room) {
+  room.position_sum.setZero();
+  room.position_tangent_sum.setZero();
+  const auto add = [&](Scalar s, Scalar weight) {
+    room.position_point = state.z() + s * room.delta;
+    position(room.position_point, part.at + s * part.width, room.position_force, room.position_tangent);
+    room.position_sum += weight * room.position_force;
+    room.position_tangent_sum += (weight * s) * room.position_tangent;
+  };
+  if (takes_mean(numbers))
+    for (const Scalar s : mean_points<Scalar>()) add(s, Scalar(0.5));
+  else add(numbers.point, 1);
+  room.position_force = room.position_sum;
+  room.position_tangent = room.position_tangent_sum;
+}
+
+}  // namespace
+
+template <class Scalar>
+void combine(const Matrix<Scalar>& history, const Eigen::Matrix<Scalar, 4, 1>& coefficients, Vector<Scalar>& y) {
+  y.setZero();
+  for (Eigen::Index c = 0; c < history.cols(); ++c)
+    if (coefficients[c] != 0) y += coefficients[c] * history.col(c);
+}
+
+template <class Scalar>
+void evaluate_forces(const Model<Scalar>& model, const State<Scalar>& state, const StepLoad<Scalar>& load,
+                     const StepPart<Scalar>& part, const ImplicitStep<Scalar>& numbers, NewtonRoom<Scalar>& room) {
+  if (takes_mean(numbers)) {
+    evaluate_mean<Scalar>(model.force, state.z(), room.delta, room.mean);
+  } else {
+    room.point = state.z() + numbers.point * room.delta;
+    evaluate<Scalar>(model.force, room.point, room.at_point);
+  }
+  if (load.position) evaluate_position_force(state, *load.position, part, numbers, room);
+}
+
+template <class Scalar>
+void evaluate_inertia(const Model<Scalar>& model, const State<Scalar>& state, const ImplicitStep<Scalar>& numbers,
+                      NewtonRoom<Scalar>& room) {
+  if (!std::holds_alternative<VaryingInertia<Scalar>>(model.inertia)) return;
+  room.point = state.z() + numbers.point * room.delta;
+  room.correction = numbers.drag * room.delta - room.velocity;
+  room.residual = numbers.inertia * room.delta - room.acceleration;
+  evaluate<Scalar>(model.inertia, room.point, room.correction, room.residual, room.inertia);
+}
+
+template <class Scalar>
+void factor_jacobian(const Model<Scalar>& model, const StepLoad<Scalar>& load, const ImplicitStep<Scalar>& numbers,
+                     NewtonRoom<Scalar>& room) {
+  if (takes_mean(numbers)) room.jacobian = room.mean.tangent;
+  else room.jacobian = numbers.point * room.at_point.tangent;
+  add_damping<Scalar>(model, numbers.drag, room.jacobian);
+  const bool varies = std::holds_alternative<VaryingInertia<Scalar>>(model.inertia);
+  if (varies)
+    room.jacobian += numbers.inertia * room.inertia.mass + numbers.drag * room.inertia.by_velocity +
+                     numbers.point * room.inertia.by_position;
+  else if (const auto* constant = std::get_if<ConstantInertia<Scalar>>(&model.inertia))
+    room.jacobian += numbers.inertia * constant->mass;
+  else room.jacobian.diagonal().array() += numbers.inertia;
+  if (load.position) room.jacobian -= room.position_tangent;
+  if (varies || load.position) factor_unsymmetric(room.jacobian, room.factors);
+  else factor(room.jacobian, room.factors);
+}
+
+template <class Scalar>
+Outcome solve_implicit(const Model<Scalar>& model, const State<Scalar>& state, const StepLoad<Scalar>& load,
+                       const StepPart<Scalar>& part, const ImplicitStep<Scalar>& numbers,
+                       const NewtonOptions<Scalar>& options, NewtonRoom<Scalar>& room) {
+  constexpr Scalar rounding = 8 * std::numeric_limits<Scalar>::epsilon();
+  Outcome outcome{.status = Status::not_converged};
+  write_target(model, state, numbers, room);
+  room.delta.setZero();
+  Scalar last = std::numeric_limits<Scalar>::infinity();
+  int shortened = 0;
+  for (;;) {
+    const Scalar scale = evaluate_residual(model, state, load, part, numbers, room);
+    ++outcome.evaluations;
+    const Scalar size = room.residual.norm();
+    if (!std::isfinite(size)) {
+      outcome.status = Status::not_finite;
+      return outcome;
+    }
+    const bool started = outcome.iterations > 0;
+    if (size == 0 || (started && size <= options.tolerance * scale)) break;
+    if (size > last && shortened < shortenings) {  // the correction went too far: take half of it back
+      room.correction_taken /= 2;
+      room.delta += room.correction_taken;
+      ++shortened;
+      continue;
+    }
+    if (outcome.iterations == options.iterations) return outcome;
+    last = size;
+    shortened = 0;
+    factor_jacobian(model, load, numbers, room);
+    const Scalar change = correct(room);
+    room.correction_taken = room.correction;
+    ++outcome.iterations;
+    if (change <= rounding * (state.z().norm() + room.delta.norm())) {
+      outcome.status = Status::done;  // δ is as good as its last digit, whatever R's rounding
+      return outcome;
+    }
+  }
+  // The last factors are at hand: one more correction by them costs next to nothing and makes a small residual tiny.
+  if (outcome.iterations > 0) correct(room);
+  outcome.status = room.delta.allFinite() ? Status::done : Status::not_finite;
+  return outcome;
+}
+
+#define RITZ_INSTANCE(S)                                                                                      \
+  template void combine(const Matrix<S>&, const Eigen::Matrix<S, 4, 1>&, Vector<S>&);                         \
+  template void evaluate_forces(const Model<S>&, const State<S>&, const StepLoad<S>&, const StepPart<S>&,     \
+                                const ImplicitStep<S>&, NewtonRoom<S>&);                                      \
+  template void factor_jacobian(const Model<S>&, const StepLoad<S>&, const ImplicitStep<S>&, NewtonRoom<S>&); \
+  template void evaluate_inertia(const Model<S>&, const State<S>&, const ImplicitStep<S>&, NewtonRoom<S>&);   \
+  template Outcome solve_implicit(const Model<S>&, const State<S>&, const StepLoad<S>&, const StepPart<S>&,   \
+                                  const ImplicitStep<S>&, const NewtonOptions<S>&, NewtonRoom<S>&);
+RITZ_INSTANCE(double)
+RITZ_INSTANCE(float)
+#undef RITZ_INSTANCE
+
+}  // namespace ritz::runtime

@@ -1,0 +1,68 @@
+#include "ritz/runtime/internal_force.hpp"
+
+#include <cmath>
+
+namespace ritz::runtime {
+
+template <class Scalar>
+Evaluation<Scalar> make_evaluation(const LinearForce<Scalar>& force) {
+  const Eigen::Index r = force.size();
+  Evaluation<Scalar> evaluation;
+  evaluation.force = Vector<Scalar>::Zero(r);
+  evaluation.tangent = force.stiffness.asDiagonal();
+  return evaluation;
+}
+
+template <class Scalar>
+void evaluate(const LinearForce<Scalar>& force, const VectorRef<Scalar>& z, Evaluation<Scalar>& result) {
+  result.force = force.stiffness.cwiseProduct(z);
+  result.energy = z.dot(result.force) / 2;
+}
+
+template <class Scalar>
+Matrix<Scalar> stiffness_at_rest(const InternalForce<Scalar>& force) {
+  if (const auto* polynomial = std::get_if<PolynomialForce<Scalar>>(&force)) return polynomial->linear;
+  return std::get<LinearForce<Scalar>>(force).stiffness.asDiagonal();
+}
+
+template <class Scalar>
+MeanEvaluation<Scalar> make_mean_evaluation(const InternalForce<Scalar>& force) {
+  const Eigen::Index r = size(force);
+  return {.force = Vector<Scalar>::Zero(r),
+          .tangent = Matrix<Scalar>::Zero(r, r),
+          .point = Vector<Scalar>::Zero(r),
+          .at_point = make_evaluation(force)};
+}
+
+template <class Scalar>
+std::array<Scalar, 2> mean_points() {
+  const auto gauss = static_cast<Scalar>(1 / std::sqrt(12.0));
+  return {Scalar(0.5) - gauss, Scalar(0.5) + gauss};
+}
+
+template <class Scalar>
+void evaluate_mean(const InternalForce<Scalar>& internal, const VectorRef<Scalar>& z, const VectorRef<Scalar>& d,
+                   MeanEvaluation<Scalar>& result) {
+  auto& [force, tangent, point, at_point] = result;
+  force.setZero();
+  tangent.setZero();
+  for (const Scalar s : mean_points<Scalar>()) {
+    point = z + s * d;
+    evaluate<Scalar>(internal, point, at_point);
+    force += at_point.force / 2;
+    tangent += at_point.tangent * (s / 2);
+  }
+}
+
+#define RITZ_INSTANCE(S)                                                              \
+  template Evaluation<S> make_evaluation(const LinearForce<S>&);                      \
+  template void evaluate(const LinearForce<S>&, const VectorRef<S>&, Evaluation<S>&); \
+  template Matrix<S> stiffness_at_rest(const InternalForce<S>&);                      \
+  template MeanEvaluation<S> make_mean_evaluation(const InternalForce<S>&);           \
+  template std::array<S, 2> mean_points();                                            \
+  template void evaluate_mean(const InternalForce<S>&, const VectorRef<S>&, const VectorRef<S>&, MeanEvaluation<S>&);
+RITZ_INSTANCE(double)
+RITZ_INSTANCE(float)
+#undef RITZ_INSTANCE
+
+}  // namespace ritz::runtime

@@ -1,0 +1,146 @@
+#include "part_derivative.hpp"
+
+namespace ritz::runtime {
+namespace {
+
+using Eigen::Index;
+
+/// matrix := (the factored matrix)⁻¹ matrix.
+template <class Scalar>
+void solve_columns(const Factors<Scalar>& factors, Matrix<Scalar>& matrix) {
+  Vector<Scalar> column(matrix.rows());
+  for (Index j = 0; j < matrix.cols(); ++j) {
+    column = matrix.col(j);
+    solve_in_place(factors, column);
+    matrix.col(j) = column;
+  }
+}
+
+/// The unknown's derivative: by the history, r x h r, and by the loads of the part, r x r.
+template <class Scalar>
+struct UnknownDerivative {
+  Matrix<Scalar> state, begin, end;
+};
+
+/// dy_c = Σ_j history_cj dy_j + change_c dx, after the parts before.
+template <class Scalar, class Numbers>
+void chain(const UnknownDerivative<Scalar>& unknown, const Numbers& numbers, const StepPart<Scalar>& part,
+           StepDerivative<Scalar>& derivative) {
+  const Index r = unknown.state.rows(), width = unknown.state.cols() / r;
+  Matrix<Scalar> state(width * r, width * r), begin(width * r, r), end(width * r, r);
+  for (Index c = 0; c < width; ++c) {
+    state.middleRows(c * r, r) = numbers.change[c] * unknown.state;
+    begin.middleRows(c * r, r) = numbers.change[c] * unknown.begin;
+    end.middleRows(c * r, r) = numbers.change[c] * unknown.end;
+    for (Index j = 0; j < width; ++j) state.block(c * r, j * r, r, r).diagonal().array() += numbers.history(c, j);
+  }
+  const auto [at, wide] = part;
+  derivative.state = state * derivative.state;
+  derivative.begin = state * derivative.begin + (1 - at) * begin + (1 - at - wide) * end;
+  derivative.end = state * derivative.end + at * begin + (at + wide) * end;
+}
+
+/// The derivative of all forces by z_n: internal less those of position, K̃ or its mean.
+template <class Scalar>
+Matrix<Scalar> tangent_at_begin(const Model<Scalar>& model, const State<Scalar>& state, const StepLoad<Scalar>& load,
+                                const StepPart<Scalar>& part, const ImplicitStep<Scalar>& numbers,
+                                NewtonRoom<Scalar>& room) {
+  Matrix<Scalar> tangent = Matrix<Scalar>::Zero(model.size(), model.size());
+  const auto add = [&](Scalar s, Scalar weight) {
+    room.point = state.z() + s * room.delta;
+    evaluate<Scalar>(model.force, room.point, room.at_point);
+    tangent += weight * room.at_point.tangent;
+    if (!load.position) return;
+    (*load.position)(room.point, part.at + s * part.width, room.position_sum, room.position_tangent);
+    tangent -= weight * room.position_tangent;
+  };
+  if (numbers.rule == ForceRule::mean_of_step)
+    for (const Scalar s : mean_points<Scalar>()) add(s, Scalar(0.5));
+  else add(numbers.point, 1);
+  return tangent;
+}
+
+template <class Scalar>
+Matrix<Scalar> mass_of(const Model<Scalar>& model, const NewtonRoom<Scalar>& room) {
+  if (const auto* constant = std::get_if<ConstantInertia<Scalar>>(&model.inertia)) return constant->mass;
+  if (std::holds_alternative<VaryingInertia<Scalar>>(model.inertia)) return room.inertia.mass;
+  return Matrix<Scalar>::Identity(model.size(), model.size());
+}
+
+/// D, and what a varying inertia adds to it.
+template <class Scalar>
+Matrix<Scalar> damping_of(const Model<Scalar>& model, const NewtonRoom<Scalar>& room) {
+  Matrix<Scalar> damping = Matrix<Scalar>::Zero(model.size(), model.size());
+  add_damping<Scalar>(model, 1, damping);
+  if (std::holds_alternative<VaryingInertia<Scalar>>(model.inertia)) damping += room.inertia.by_velocity;
+  return damping;
+}
+
+}  // namespace
+
+template <class Scalar>
+StepDerivative<Scalar> make_step_derivative(const Model<Scalar>& model, const Integrator& integrator) {
+  const Index r = model.size(), size = history_size(integrator.history) * r;
+  return {Matrix<Scalar>::Identity(size, size), Matrix<Scalar>::Zero(size, r), Matrix<Scalar>::Zero(size, r)};
+}
+
+template <class Scalar>
+void chain_implicit(const Model<Scalar>& model, const State<Scalar>& state, const StepLoad<Scalar>& load,
+                    const StepPart<Scalar>& part, const ImplicitStep<Scalar>& numbers, NewtonRoom<Scalar>& room,
+                    StepDerivative<Scalar>& derivative) {
+  const Index r = model.size();
+  evaluate_forces(model, state, load, part, numbers, room);
+  evaluate_inertia(model, state, numbers, room);
+  factor_jacobian(model, load, numbers, room);
+  const Matrix<Scalar> mass = mass_of(model, room), damping = damping_of(model, room);
+  UnknownDerivative<Scalar> delta{.state = Matrix<Scalar>(r, r * state.history.cols()),
+                                  .begin = numbers.begin * Matrix<Scalar>::Identity(r, r),
+                                  .end = numbers.end * Matrix<Scalar>::Identity(r, r)};
+  for (Index c = 0; c < state.history.cols(); ++c)
+    delta.state.middleCols(c * r, r) = numbers.acceleration[c] * mass + numbers.velocity[c] * damping;
+  const Vector<Scalar> position_force = room.position_force;
+  delta.state.leftCols(r) -= tangent_at_begin(model, state, load, part, numbers, room);
+  if (std::holds_alternative<VaryingInertia<Scalar>>(model.inertia))
+    delta.state.leftCols(r) -= room.inertia.by_position;
+  room.position_force = position_force;
+  for (auto* matrix : {&delta.state, &delta.begin, &delta.end}) solve_columns(room.factors, *matrix);
+  chain(delta, numbers, part, derivative);
+}
+
+template <class Scalar>
+void chain_explicit(const Model<Scalar>& model, const ExplicitStep<Scalar>& numbers, const StepLoad<Scalar>& load,
+                    const StepPart<Scalar>& part, NewtonRoom<Scalar>& room, StepDerivative<Scalar>& derivative) {
+  const Index r = model.size(), width = derivative.state.rows() / r;
+  Matrix<Scalar> tangent = room.at_point.tangent;
+  if (load.position) tangent -= room.position_tangent;
+  if (std::holds_alternative<VaryingInertia<Scalar>>(model.inertia)) {
+    const Vector<Scalar> velocity = room.velocity + numbers.drag * room.acceleration;
+    evaluate<Scalar>(model.inertia, room.point, velocity, room.acceleration, room.inertia);
+    tangent += room.inertia.by_position;
+  }
+  const Matrix<Scalar> damping = damping_of(model, room);
+  room.jacobian = mass_of(model, room) + numbers.drag * damping;
+  factor_unsymmetric(room.jacobian, room.factors);
+  room.factored_dt = 0;
+  UnknownDerivative<Scalar> acceleration{.state = Matrix<Scalar>(r, r * width),
+                                         .begin = Matrix<Scalar>::Zero(r, r),
+                                         .end = Matrix<Scalar>::Identity(r, r)};
+  for (Index c = 0; c < width; ++c) {
+    const Scalar way = numbers.displacement[c] + (c == 0 ? Scalar(1) : Scalar(0));
+    acceleration.state.middleCols(c * r, r) = -way * tangent - numbers.velocity[c] * damping;
+  }
+  for (auto* matrix : {&acceleration.state, &acceleration.end}) solve_columns(room.factors, *matrix);
+  chain(acceleration, numbers, part, derivative);
+}
+
+#define RITZ_INSTANCE(S)                                                                                        \
+  template StepDerivative<S> make_step_derivative(const Model<S>&, const Integrator&);                          \
+  template void chain_implicit(const Model<S>&, const State<S>&, const StepLoad<S>&, const StepPart<S>&,        \
+                               const ImplicitStep<S>&, NewtonRoom<S>&, StepDerivative<S>&);                     \
+  template void chain_explicit(const Model<S>&, const ExplicitStep<S>&, const StepLoad<S>&, const StepPart<S>&, \
+                               NewtonRoom<S>&, StepDerivative<S>&);
+RITZ_INSTANCE(double)
+RITZ_INSTANCE(float)
+#undef RITZ_INSTANCE
+
+}  // namespace ritz::runtime

@@ -1,0 +1,149 @@
+// The keys of a scene file and what they mean.
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+#include "deep_keys.hpp"
+#include "entry.hpp"
+#include "read.hpp"
+#include "ritz/base/error.hpp"
+#include "ritz/base/nearest.hpp"
+#include "ritz/base/printable.hpp"
+#include "ritz/base/regular_file.hpp"
+
+namespace ritz::scene {
+namespace {
+
+constexpr double max_steps = 1e12;
+
+Integrator integrator(const Entry& entry) {
+  const std::string name = text(entry);
+  const auto at = std::find(integrator_names.begin(), integrator_names.end(), name);
+  if (at == integrator_names.end())
+    fail(entry,
+         "unknown integrator '" + printable(name) + "'; did you mean '" + nearest(name, integrator_names) + "'?");
+  return static_cast<Integrator>(at - integrator_names.begin());
+}
+
+Time time(const Entry& entry) {
+  const Section section(entry, {"step", "end", "integrator"});
+  Time time{.step = positive(section.get("step")), .end = number(section.get("end")), .integrator = std::nullopt};
+  if (time.end < time.step) fail(section.get("end"), "'end' of [time] must not be less than 'step'");
+  if (time.end / time.step > max_steps) fail(section.get("step"), "'step' of [time] makes more than 1e12 steps");
+  if (const auto name = section.find("integrator")) time.integrator = integrator(*name);
+  return time;
+}
+
+Static statics(const Entry& entry) {
+  const Entry steps = Section(entry, {"steps"}).get("steps");
+  const auto count = integer(steps);
+  if (count < 1 || count > 1'000'000) fail(steps, steps.name + " must be from 1 to 1000000");
+  return {static_cast<int>(count)};
+}
+
+std::variant<Time, Static> analysis(const Section& scene) {
+  const auto kind = scene.one_of({"time", "static"});
+  if (kind == "time") return time({scene.get("time").node, scene.entry().file, "[time]"});
+  if (kind == "static") return statics({scene.get("static").node, scene.entry().file, "[static]"});
+  throw InputError(scene.entry().file + ": the scene needs [time] (step, end) or [static] (steps)");
+}
+
+Damping damping(const Entry& entry) {
+  const Section section({entry.node, entry.file, "[damping]"}, {"alpha", "beta", "ratio"});
+  Damping damping;
+  if (const auto alpha = section.find("alpha")) damping.alpha = not_negative(*alpha);
+  if (const auto beta = section.find("beta")) damping.beta = not_negative(*beta);
+  if (const auto ratio = section.find("ratio")) {
+    if (ratio->node.is_array()) {
+      damping.ratio = numbers(*ratio);
+      for (const double value : damping.ratio)
+        if (value < 0) fail(*ratio, ratio->name + " must not be negative");
+    } else {
+      damping.ratio = {not_negative(*ratio)};
+    }
+  }
+  return damping;
+}
+
+Target target(const Section& section) {
+  const auto key = section.one_of({"set", "vertex"});
+  if (key == "set") return text(section.get("set"));
+  if (key == "vertex") return integer(section.get("vertex"));
+  fail(section.entry(), section.entry().name + " needs a 'set' or a 'vertex'");
+}
+
+Load load(const Section& section) {
+  const auto key = section.one_of({"total", "each", "pressure", "traction"});
+  if (key.empty()) fail(section.entry(), "[[load]] needs one of 'total', 'each', 'pressure' and 'traction'");
+  const Entry value = section.get(key);
+  Load load{.target = target(section), .kind = TotalForce{}, .table = std::nullopt};
+  if (std::holds_alternative<std::int64_t>(load.target) && (key == "pressure" || key == "traction"))
+    fail(value, value.name + " acts on a surface set, not on a vertex");
+  if (key == "total") load.kind = TotalForce{vector3(value)};
+  if (key == "each") load.kind = EachForce{vector3(value)};
+  if (key == "pressure") load.kind = Pressure{number(value)};
+  if (key == "traction") load.kind = Traction{vector3(value)};
+  if (const auto factors = section.find("table")) load.table = table(*factors);
+  return load;
+}
+
+Probe probe(const Section& section, const std::vector<Probe>& earlier) {
+  const Entry name = section.get("name");
+  Probe probe{.name = text(name), .target = target(section)};
+  const auto unfit = [](unsigned char c) { return c == ',' || c == '"' || c < ' ' || c == 0x7f; };
+  if (probe.name.empty() || std::any_of(probe.name.begin(), probe.name.end(), unfit))
+    fail(name, name.name + " heads a column: it must not be empty nor hold a comma, a quote or a control character");
+  for (const auto& other : earlier)
+    if (other.name == probe.name) fail(name, "two probes are named '" + printable(probe.name) + "'");
+  return probe;
+}
+
+Vector3 direction(const Entry& entry) {
+  const Vector3 d = vector3(entry);
+  if (d == Vector3{0, 0, 0}) fail(entry, entry.name + " has no length: give the axis along which the ground moves");
+  return d;
+}
+
+Scene scene(const Section& file) {
+  Scene scene{.analysis = analysis(file), .damping = {}, .gravity = {}, .shake = {}, .loads = {}, .probes = {}};
+  if (const auto entry = file.find("damping")) scene.damping = damping(*entry);
+  if (const auto entry = file.find("gravity")) scene.gravity = vector3(*entry);
+  if (const auto entry = file.find("shake")) {
+    if (std::holds_alternative<Static>(scene.analysis)) fail(*entry, "[shake] needs [time]: nothing shakes in statics");
+    const Section shake({entry->node, entry->file, "[shake]"}, {"direction", "table"});
+    scene.shake = {direction(shake.get("direction")), table(shake.get("table"))};
+  }
+  for (const auto& section :
+       sections(file, "load", {"set", "vertex", "total", "each", "pressure", "traction", "table"}))
+    scene.loads.push_back(load(section));
+  for (const auto& section : sections(file, "probe", {"name", "set", "vertex"}))
+    scene.probes.push_back(probe(section, scene.probes));
+  return scene;
+}
+
+std::string content(const std::filesystem::path& path) {
+  refuse_irregular(path, "the scene file " + path.string());
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream bytes;
+  if (!in || !(bytes << in.rdbuf() || in.peek() == EOF))
+    throw InputError("cannot read the scene file " + path.string() + ": check the path and its permissions");
+  return bytes.str();
+}
+
+}  // namespace
+
+Scene read(const std::filesystem::path& path) { return parse(content(path), path.string()); }
+
+Scene parse(const std::string& bytes, const std::string& file) {
+  refuse_deep_keys(bytes, file);
+  try {
+    const toml::table root = toml::parse(bytes, file);
+    return scene(
+        Section({root, file, "the scene"}, {"time", "static", "damping", "gravity", "shake", "load", "probe"}));
+  } catch (const toml::parse_error& error) {
+    throw InputError(file + ":" + std::to_string(error.source().begin.line) +
+                     ": not valid TOML: " + printable(error.description()));
+  }
+}
+
+}  // namespace ritz::scene

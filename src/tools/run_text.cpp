@@ -1,0 +1,93 @@
+#include "run_text.hpp"
+
+#include <sstream>
+
+#include "ritz/base/error.hpp"
+
+namespace ritz::tools {
+namespace {
+
+std::string end_of_time(const world::Failure& failure, const model::Body& body) {
+  const std::string at = "step " + std::to_string(failure.step) + ", t = " + std::to_string(failure.t) + " s, ";
+  if (!body.polynomial)
+    return "step " + std::to_string(failure.step) + ", t = " + std::to_string(failure.t) +
+           ", is not finite: the loads are too large for double precision";
+  return at + (failure.cause == world::Cause::not_finite ? "is not finite: the loads are too large"
+                                                         : "does not converge, nor do its halves: take shorter steps");
+}
+
+std::string end_of_statics(const world::Failure& failure, const model::Body& body) {
+  std::ostringstream text;
+  if (!body.polynomial) {
+    text << "load step " << failure.step << ", t = " << std::to_string(failure.t)
+         << ", is not finite: the loads are too large for double precision";
+    return text.str();
+  }
+  text << "statics reached load fraction " << failure.t << " and no further: ";
+  if (failure.cause == world::Cause::limit_point)
+    text << "a limit point, where the smallest eigenvalue of the tangent stiffness goes to zero (" << failure.softest
+         << " 1/s², at rest " << failure.softest_at_rest
+         << "); the body snaps or buckles there: follow it with [time] and damping";
+  else text << "Newton's method does not converge; use more load steps, or [time] with damping";
+  return text.str();
+}
+
+std::string free_body(const world::Failure& failure) {
+  if (!failure.pushed)
+    return "the body is free: a load sets it moving, so it has no state of rest; fix the body when reducing it, or use "
+           "[time]";
+  return "the body is free: the load pushes its rigid mode " + std::to_string(*failure.pushed + 1) +
+         ", so it has no state of rest; fix the body when reducing it, or use [time]";
+}
+
+}  // namespace
+
+void fail(const world::RunResult& result, const scene::Scene& scene, const model::Body& body) {
+  const auto& failure = *result.failure;
+  if (failure.cause == world::Cause::free_body) throw InputError(free_body(failure));
+  if (std::holds_alternative<scene::Static>(scene.analysis)) throw NumericalError(end_of_statics(failure, body));
+  const auto gained = result.gain ? "; " + warning(*result.gain, integrator_name(scene, body)) : "";
+  throw NumericalError(end_of_time(failure, body) + gained);
+}
+
+void refuse(const world::LeftOut& left_out, const std::string& model) {
+  const auto why = [&] {
+    switch (left_out.push) {
+      case world::Push::moves_the_whole: return "the scene's loads push or turn it as a whole";
+      case world::Push::may_move_pieces: return "the scene's loads may move its pieces against each other";
+      case world::Push::cannot_be_told: break;
+    }
+    return "whether the scene's loads push it as a whole cannot be told from what the model stores";
+  };
+  throw InputError("the basis of " + model + " leaves out the " + std::to_string(left_out.rigid_motions) +
+                   " rigid motions of its body, which neither falls nor flies, and " + why() +
+                   "; hold the body (-fix), use a model of modes alone (no -derivatives, -snapshots, -basis or "
+                   "-polynomial), or ritz-full");
+}
+
+std::string balance_line(const world::EnergyBalance& balance) {
+  std::ostringstream text;
+  text.precision(3);
+  text << "energy balance of E - E0 - W + Q: at most " << balance.gained << " J gained and " << balance.lost
+       << " J lost; E0 + W - Q at most " << balance.available << " J";
+  return text.str();
+}
+
+std::string warning(const world::EnergyGain& gain, const std::string& integrator) {
+  std::ostringstream text;
+  text.precision(3);
+  text << "from t = " << gain.since << " s on the motion gained energy without work, up to " << 100 * gain.largest
+       << " %: " << integrator
+       << " does not hold the energy of nonlinear motions at this step; say integrator = \"avf\" or "
+          "\"implicit-euler\", or take shorter steps";
+  return text.str();
+}
+
+std::string integrator_name(const scene::Scene& scene, const model::Body& body) {
+  const auto* time = std::get_if<scene::Time>(&scene.analysis);
+  const auto default_one = body.polynomial ? scene::Integrator::avf : scene::Integrator::exact;
+  const auto index = static_cast<std::size_t>(time ? time->integrator.value_or(default_one) : default_one);
+  return std::string(scene::integrator_names[index]);
+}
+
+}  // namespace ritz::tools

@@ -1,0 +1,26 @@
+// What ritz-run says of a run: sentences for people, with what to do.
+#pragma once
+#include <string>
+
+#include "ritz/scene/scene.hpp"
+#include "ritz/world/rigid_motions.hpp"
+#include "ritz/world/run.hpp"
+
+namespace ritz::tools {
+
+/// Throws what ends a run early: NumericalError, or InputError where the scene is at fault.
+[[noreturn]] void fail(const world::RunResult& result, const scene::Scene& scene, const model::Body& body);
+
+/// Throws InputError for loads that move a body as a whole though its basis leaves that out.
+[[noreturn]] void refuse(const world::LeftOut& left_out, const std::string& model);
+
+/// A line: the most that was gained and lost without work, and what there was to gain or lose, J.
+std::string balance_line(const world::EnergyBalance& balance);
+
+/// A sentence that names integrators which hold the energy.
+std::string warning(const world::EnergyGain& gain, const std::string& integrator);
+
+/// The name of the integrator that a scene in time runs with on such a body.
+std::string integrator_name(const scene::Scene& scene, const model::Body& body);
+
+}  // namespace ritz::tools
