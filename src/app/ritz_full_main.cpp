@@ -1,7 +1,9 @@
 // ritz-full: the unreduced nonlinear simulation, on any number of ranks.
 #include "ritz/app/full.hpp"
 #include "ritz/app/main_guard.hpp"
+#include "ritz/config/advice.hpp"
 
 int main(int argc, char** argv) {
-  return ritz::app::run_program(argc, argv, ritz::config::Program::full, ritz::app::simulate);
+  return ritz::app::run_program(argc, argv, ritz::config::Program::full,
+                                ritz::config::with_advice(ritz::app::simulate));
 }

@@ -13,6 +13,7 @@ enum Outcome : int { fine = 0, input = 1, numerical = 2 };
 
 struct Caught {
   int outcome = fine;
+  int reason = static_cast<int>(Reason::stated);
   std::string message;
 };
 
@@ -21,11 +22,13 @@ Caught run(const std::function<void()>& work) {
     work();
     return {};
   } catch (const InputError& e) {
-    return {input, e.what()};
+    return {input, static_cast<int>(e.reason), e.what()};
+  } catch (const NumericalError& e) {
+    return {numerical, static_cast<int>(e.reason), e.what()};
   } catch (const std::bad_alloc&) {
-    return {numerical, "memory ran out; use more ranks or machines, or fewer modes"};
+    return {.outcome = numerical, .message = "memory ran out; use more ranks or machines, or fewer modes"};
   } catch (const std::exception& e) {
-    return {numerical, e.what()};
+    return {.outcome = numerical, .message = e.what()};
   }
 }
 
@@ -38,9 +41,11 @@ void together(MPI_Comm comm, const std::function<void()>& work) {
   const int first = min(comm, here);
   if (first == ranks) return;
   MPI_Bcast(&mine.outcome, 1, MPI_INT, first, comm);
+  MPI_Bcast(&mine.reason, 1, MPI_INT, first, comm);
   broadcast(comm, mine.message, first);
-  if (mine.outcome == input) throw InputError(mine.message);
-  throw NumericalError(mine.message);
+  const auto reason = static_cast<Reason>(mine.reason);
+  if (mine.outcome == input) throw InputError(mine.message, reason);
+  throw NumericalError(mine.message, reason);
 }
 
 void on_root(MPI_Comm comm, const std::function<void()>& work) {

@@ -104,16 +104,16 @@ SizedError smallest(const Question& in, const Principal& set, int count, int lim
   return best;
 }
 
-[[noreturn]] void give_up(const Question& in, const SizedError& best, int modes) {
+[[noreturn]] void give_up(const SizedError& best, int modes) {
   char text[300], reached[120] = "none of them can represent the path to that";
   if (best.error < nothing_found)
     std::snprintf(reached, sizeof reached, "the best, %d columns of %d modes and their derivatives, reached %.2e",
                   best.columns, best.modes, best.error);
-  std::snprintf(text, sizeof text,
-                "option -accuracy %g: no basis of the first %d flexible modes and their derivatives is that accurate "
-                "on the static path (%s); raise -modes or the target",
-                in.target, modes, reached);
-  throw NumericalError(text);
+  std::snprintf(
+      text, sizeof text,
+      "no basis of the first %d flexible modes and their derivatives is that accurate on the static path (%s)", modes,
+      reached);
+  throw NumericalError(text, Reason::accuracy_out_of_reach);
 }
 
 }  // namespace
@@ -140,7 +140,7 @@ AccurateBasis accurate_basis(const Problem& problem, const PolynomialLaws& laws,
     taken = set;
     waited = 0;
   }
-  if (best.columns == 0) give_up(in, closest, all);
+  if (best.columns == 0) give_up(closest, all);
   return {cut_basis(problem, modes, taken, best.columns), best};
 }
 

@@ -85,10 +85,9 @@ void refuse_extremes(const Matrices& matrices) {
   const double stiffness = one_norm(matrices.stiffness), mass = one_norm(matrices.scalar_mass);
   for (const double value : {stiffness, mass, stiffness / mass})
     if (!(value >= least && value <= most))
-      throw NumericalError(
-          "the stiffness and the mass of the body, of the order of " + shown(stiffness, 3) + " N/m and " +
-          shown(mass, 3) +
-          " kg, are beyond what double precision can compute with; check lengths, materials and -units");
+      throw NumericalError("the stiffness and the mass of the body, of the order of " + shown(stiffness, 3) +
+                               " N/m and " + shown(mass, 3) + " kg, are beyond what double precision can compute with",
+                           Reason::beyond_double_precision);
 }
 
 }  // namespace

@@ -27,8 +27,9 @@ EnteringModes entering_modes(const ModesResult& modes, const std::vector<int>& c
   std::vector<Index> columns;
   for (const int mode : chosen) {
     if (mode > flexible)
-      throw InputError("option -basis_modes: there is no flexible mode " + std::to_string(mode) + " among the " +
-                       std::to_string(flexible) + " computed; raise -modes");
+      throw InputError(
+          "there is no flexible mode " + std::to_string(mode) + " among the " + std::to_string(flexible) + " computed",
+          Reason::mode_absent);
     columns.push_back(mode - 1);
   }
   return {values(columns), vectors(Eigen::all, columns)};
@@ -50,11 +51,11 @@ void add_snapshots(Mat M, const petsc::ConstTallRef& snapshots, const Cut& cut, 
 
 void require_enough(const Principal& set, const Cut& cut) {
   if (set.sigma.size() == 0)
-    throw InputError("the modes, derivatives and snapshots span nothing: raise -modes or give -snapshots that move");
+    throw InputError("the modes, derivatives and snapshots span nothing", Reason::nothing_spanned);
   if (cut.size > set.sigma.size())
-    throw InputError("option -basis " + std::to_string(cut.size) + ": the modes, derivatives and snapshots have only " +
-                     std::to_string(set.sigma.size()) +
-                     " independent directions; lower -basis, or raise -modes or -derivatives");
+    throw InputError("the modes, derivatives and snapshots have only " + std::to_string(set.sigma.size()) +
+                         " independent directions",
+                     Reason::too_few_directions);
 }
 
 /// Turns the directions so that UᵀKU is diagonal, and fixes their signs.
@@ -62,8 +63,9 @@ void finish(const Problem& problem, const petsc::Tall& R, const petsc::ConstTall
   const auto& [mesh, dofs, materials, matrices] = problem;
   RitzPairs pairs = rayleigh_ritz(matrices.stiffness, matrices.mass, R, directions);
   if (pairs.vectors.cols() < directions.cols())
-    throw NumericalError("the basis lost " + std::to_string(directions.cols() - pairs.vectors.cols()) +
-                         " of its directions to rounding; lower -basis");
+    throw NumericalError(
+        "the basis lost " + std::to_string(directions.cols() - pairs.vectors.cols()) + " of its directions to rounding",
+        Reason::directions_lost);
   const auto W = fixed_vectors(mesh, dofs, largest_group(pairs.values), sign_stream);
   make_canonical(matrices.mass, pairs.values, W, pairs.vectors);
   const Eigen::MatrixXd gram = petsc::inner(mesh.comm, pairs.vectors, petsc::multiply(matrices.mass, pairs.vectors));
@@ -81,8 +83,8 @@ BasisResult basis(const Problem& problem, const ModesResult& modes, mesh::FreeRe
                   const BasisOptions& options, const ModesProgress& progress) {
   const EnteringModes in = entering_modes(modes, options.modes);
   if (options.derivatives > in.values.size())
-    throw InputError("option -derivatives " + std::to_string(options.derivatives) + ": only " +
-                     std::to_string(in.values.size()) + " flexible modes enter the basis; lower -derivatives");
+    throw InputError("only " + std::to_string(in.values.size()) + " flexible modes enter the basis",
+                     Reason::too_few_modes_for_derivatives);
   const ScaledSource source{problem, modes, in};
   ScaledSet set;
   add_modes(source, static_cast<int>(in.values.size()), options.cut, set);

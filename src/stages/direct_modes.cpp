@@ -56,8 +56,8 @@ Found find_direct(const EigenProblem& problem, int wanted, const petsc::Tall& kn
                                    [&](int done, int all) { progress("modes", double(done) / all); });
   if (!found.converged)
     throw NumericalError("the eigensolver (block Lanczos, tolerance " + shown(options.tolerance) +
-                         ") did not find all " + std::to_string(wanted) +
-                         " modes; raise -modes_tolerance or lower -modes");
+                             ") did not find all " + std::to_string(wanted) + " modes",
+                         Reason::modes_not_found);
   progress("polishing", 0);
   return {polish(problem, joined(known, found.vectors), solver), found.iterations};
 }

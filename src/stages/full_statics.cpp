@@ -18,8 +18,8 @@ constexpr std::uint64_t probe_stream = 4000;
 void refuse_loose(const FullModel& model) {
   const auto motions = rigid_motions(model.problem.mesh, model.problem.dofs).cols();
   if (motions > 0)
-    throw InputError("[static]: the supports leave the body " + std::to_string(motions) +
-                     " rigid motions; hold it with -fix, or let it move with [time]");
+    throw InputError("the supports leave the body " + std::to_string(motions) + " rigid motions",
+                     Reason::rigid_motions);
 }
 
 class Loading {
@@ -97,7 +97,8 @@ class Loading {
       throw NumericalError("statics: no stable equilibrium was found " + where +
                            ", a limit point of the load or a bifurcation (" + how + ")");
     throw NumericalError("statics: no equilibrium was found " + where + " (" + how +
-                         "), nor a sign that the tangent ceases to be definite there; raise [static] steps");
+                             "), nor a sign that the tangent ceases to be definite there",
+                         Reason::load_steps_too_large);
   }
 
   FullModel& model_;

@@ -25,11 +25,9 @@ Eigen::ArrayXd quotient(const Eigen::ArrayXd& a, const Eigen::ArrayXd& b) { retu
 
 [[noreturn]] void fail(double residual) {
   char text[200];
-  std::snprintf(text, sizeof text,
-                "solving with K did not converge: relative residual %.2e after %d iterations; use -solver direct, or a "
-                "mesh of better shape",
+  std::snprintf(text, sizeof text, "solving with K did not converge: relative residual %.2e after %d iterations",
                 residual, most_iterations);
-  throw NumericalError(text);
+  throw NumericalError(text, Reason::iterative_solver_failed);
 }
 
 }  // namespace

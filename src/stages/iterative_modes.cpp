@@ -65,8 +65,9 @@ Found find_iteratively(const EigenProblem& problem, int wanted, const petsc::Tal
                       [&](int done, int all) { progress("modes", double(done) / all); });
   if (found.converged < wanted)
     throw NumericalError("the eigensolver (LOBPCG with multigrid) converged to " + std::to_string(found.converged) +
-                         " of " + std::to_string(wanted) + " modes in " + std::to_string(found.iterations) +
-                         " iterations; use -solver direct, or a mesh of better shape");
+                             " of " + std::to_string(wanted) + " modes in " + std::to_string(found.iterations) +
+                             " iterations",
+                         Reason::iterative_solver_failed);
   return {std::move(found.pairs), found.iterations, inverse};
 }
 

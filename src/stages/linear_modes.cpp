@@ -97,9 +97,7 @@ class Search {
     const Index count = std::min<Index>(options_.count, most_);
     while ((kept = kept_count(found.pairs.values, count, wanted == most_)) == 0 && count > 0) {
       if (wanted == most_ || !found.pairs.values.allFinite())
-        throw NumericalError(
-            "the eigensolver found no finite modes; check lengths, materials and -units, or use a mesh "
-            "of better shape");
+        throw NumericalError("the eigensolver found no finite modes", Reason::modes_not_finite);
       wanted = std::min<Index>(2 * wanted, most_);
       found = find(static_cast<int>(wanted), found.pairs.vectors);
     }
@@ -163,10 +161,12 @@ Eigen::VectorXd sort_by_energy(const EigenProblem& problem, petsc::TallRef vecto
   return energies(order);
 }
 
-std::string remedy(const ModesOptions& options) {
-  if (options.strategy == Strategy::iterative) return "use -solver direct, or a mesh of better shape";
-  if (options.slepc) return "leave out the options under -modes_eps_ and -modes_st_";
-  return options.tolerance > residual_gate ? "choose a smaller -modes_tolerance" : "use a mesh of better shape";
+/// A mode whose residual is above its gate, with what may have kept it there.
+NumericalError inaccurate(const std::string& mode, const ModesOptions& options) {
+  if (options.strategy == Strategy::iterative) return NumericalError(mode, Reason::iterative_solver_failed);
+  if (options.slepc) return NumericalError(mode, Reason::foreign_solver_inaccurate);
+  if (options.tolerance > residual_gate) return NumericalError(mode, Reason::tolerance_too_loose);
+  return NumericalError(mode + "; use a mesh of better shape");
 }
 
 /// Rigid and flexible pairs side by side, with the figures that say how good they are.
@@ -198,9 +198,9 @@ ModesResult summarise(const EigenProblem& problem, const ModesOptions& options, 
   for (Index i = 0; i < flexible; ++i) {
     modes.floor_applies[static_cast<std::size_t>(rigid + i)] = r.relative[i] > residual_gate;
     if (!(r.relative[i] <= r.gate[i]))
-      throw NumericalError("mode " + std::to_string(rigid + i + 1) + " has a relative residual of " +
-                           shown(r.relative[i], 3) + ", above its gate " + shown(r.gate[i], 3) + "; " +
-                           remedy(options));
+      throw inaccurate("mode " + std::to_string(rigid + i + 1) + " has a relative residual of " +
+                           shown(r.relative[i], 3) + ", above its gate " + shown(r.gate[i], 3),
+                       options);
   }
   modes.kinds.assign(static_cast<std::size_t>(rigid), model::ModeKind::rigid);
   modes.kinds.resize(static_cast<std::size_t>(all), model::ModeKind::flexible);

@@ -38,6 +38,21 @@ TEST(Guard, CarriesAnInputErrorOfAnyRankToAll) {
                 ThrowsMessage<InputError>(StrEq("line 3 is wrong")));
 }
 
+TEST(Guard, CarriesTheReasonOfAnError) {
+  for (int who = 0; who < size(world); ++who) try {
+      on(who, [] { throw InputError("it moves", Reason::rigid_motions); })();
+      ADD_FAILURE() << "nothing was thrown";
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.reason, Reason::rigid_motions);
+    }
+  try {
+    on(size(world) - 1, [] { throw NumericalError("no convergence", Reason::iterative_solver_failed); })();
+    ADD_FAILURE() << "nothing was thrown";
+  } catch (const NumericalError& error) {
+    EXPECT_EQ(error.reason, Reason::iterative_solver_failed);
+  }
+}
+
 TEST(Guard, CarriesANumericalError) {
   EXPECT_THAT(on(size(world) - 1, [] { throw NumericalError("no convergence"); }),
               ThrowsMessage<NumericalError>(StrEq("no convergence")));

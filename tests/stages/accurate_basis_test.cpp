@@ -112,7 +112,8 @@ TEST_P(AccurateBasis, SaysWhatWasReachedWhenTheTargetIsNot) {
     choose(1e-6);
     FAIL();
   } catch (const NumericalError& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("raise -modes"));
+    EXPECT_EQ(error.reason, Reason::accuracy_out_of_reach);
+    EXPECT_THAT(error.what(), testing::HasSubstr("on the static path"));
   }
 }
 
