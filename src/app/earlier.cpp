@@ -1,8 +1,7 @@
 #include "ritz/app/earlier.hpp"
 
-#include <algorithm>
-
 #include "ritz/app/checksums.hpp"
+#include "ritz/app/report.hpp"
 #include "ritz/app/resolved.hpp"
 #include "ritz/format/sound.hpp"
 #include "ritz/parallel/guard.hpp"
@@ -63,27 +62,17 @@ std::vector<format::Index> flexible(const model::Modes& modes) {
   return columns;
 }
 
-/// What the report says of the basis and its witness.
-stages::Figures figures_of_basis(const stages::Figures& figures) {
-  stages::Figures chosen;
-  for (const auto& figure : figures)
-    for (const char* start : {"derivative", "basis_", "accuracy_", "witness_taylor"})
-      if (figure.first.starts_with(start)) chosen.push_back(figure);
-  return chosen;
-}
-
 FinishedBasis read_finished(const format::ModelReader& in, const mesh::Mesh& mesh, const mesh::Dofs& dofs) {
   FinishedBasis basis;
-  const auto [seconds, figures, notes] = format::read_report(in);
-  basis.modes.notes = notes;
+  const auto report = format::read_report(in);
+  basis.modes.notes = report.notes;
   basis.modes.modes = format::read_modes(in).value_or(model::Modes{});
   basis.modes.vectors.resize(dofs.owned, 0);
   basis.modes.strategy = value_of(format::read_provenance(in).options, "solver") == "iterative"
                              ? stages::Strategy::iterative
                              : stages::Strategy::direct;
-  const auto iterations = std::ranges::find(figures, "eigensolver_iterations", &stages::Figures::value_type::first);
-  if (iterations != figures.end()) basis.modes.iterations = static_cast<int>(iterations->second);
-  basis.reduced = {read_rows(in, mesh, dofs, {}), format::read_reduction(in), figures_of_basis(figures)};
+  basis.modes.iterations = eigensolver_iterations(report);
+  basis.reduced = {read_rows(in, mesh, dofs, {}), format::read_reduction(in), basis_figures(report)};
   return basis;
 }
 

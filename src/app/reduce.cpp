@@ -101,15 +101,16 @@ void reduce(MPI_Comm comm, const config::Config& config) {
   if (config.exported != config::Export::nothing)
     progress.stage("export", [&] { exported = export_matrices(config, problem, modes.vectors); });
 
-  progress.stage("write", [&] {
-    const auto order = file_geometry(mesh, problem.materials, config.rows);
-    auto figures = reduced.figures;
-    figures.insert(figures.end(), polynomial.witness.begin(), polynomial.witness.end());
-    write_model(config, mesh, dofs, problem.materials, order,
-                {modes, u, reduced.reduction, polynomial.value, inertia, loads, figures}, progress, *outputs, exported);
+  const Results results{modes, u, reduced, polynomial, inertia, loads};
+  auto written = progress.stage("write", [&] {
+    return WrittenModel(config, problem, file_geometry(mesh, problem.materials, config.rows), results, progress);
   });
   const auto of_modes =
       stages::inertia(mesh, problem.matrices.scalar_mass, mesh::to_vertices(mesh, dofs, modes.vectors));
+  outputs->publish([&] {
+    for (auto& file : exported) file.publish();
+    written.publish();
+  });
   progress.line(size_line(extent(mesh, problem.materials), modes.modes) + "\n" + summary(modes.modes, of_modes) +
                 basis_lines(reduced, polynomial, inertia) + peak_memory_line(comm) + "\nwrote " +
                 config.output.string());

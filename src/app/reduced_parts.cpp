@@ -15,12 +15,6 @@ stages::PolynomialLaws polynomial_laws(const stages::Problem& problem) {
   return stages::polynomial_laws(problem.materials).value();
 }
 
-double figure(const stages::Figures& figures, const std::string& name) {
-  for (const auto& [key, value] : figures)
-    if (key == name) return value;
-  return 0;
-}
-
 template <class... Values>
 std::string line(const char* format, Values... values) {
   char text[256];
@@ -28,20 +22,23 @@ std::string line(const char* format, Values... values) {
   return text;
 }
 
-stages::Figures taylor(const stages::Problem& problem, const stages::ModesResult& modes,
-                       const std::vector<int>& chosen) {
+double taylor(const stages::Problem& problem, const stages::ModesResult& modes, const std::vector<int>& chosen) {
   const petsc::Tall entering = stages::entering_modes(modes, chosen).vectors;
   return stages::taylor_witness({problem, modes, entering, static_cast<int>(entering.cols())});
 }
 
-stages::BasisResult accurate(const stages::Problem& problem, const stages::ModesResult& modes,
-                             const stages::StaticPath& path, double target, const stages::ModesProgress& progress) {
+ReducedBasis finished(stages::BasisResult basis, std::optional<Accuracy> accuracy) {
+  ReducedBasis finished{std::move(basis.U), std::move(basis.reduction), {}};
+  finished.figures.orthonormality = basis.orthonormality;
+  if (basis.derivatives.pairs > 0) finished.figures.derivatives = basis.derivatives;
+  finished.figures.accuracy = accuracy;
+  return finished;
+}
+
+ReducedBasis accurate(const stages::Problem& problem, const stages::ModesResult& modes, const stages::StaticPath& path,
+                      double target, const stages::ModesProgress& progress) {
   auto [basis, chosen] = stages::accurate_basis(problem, polynomial_laws(problem), modes, path, target, progress);
-  basis.figures.insert(basis.figures.end(), {{"accuracy_target", target},
-                                             {"accuracy_error", chosen.error},
-                                             {"accuracy_modes", chosen.modes},
-                                             {"accuracy_columns", chosen.columns}});
-  return std::move(basis);
+  return finished(std::move(basis), Accuracy{target, chosen});
 }
 
 }  // namespace
@@ -55,28 +52,27 @@ ReducedBasis reduce_basis(const config::Config& config, const stages::Problem& p
   const auto told = [&](const std::string& what, double fraction) { progress.update(what, fraction); };
   auto basis = progress.stage("basis", [&] {
     return path ? accurate(problem, modes, *path, config.accuracy->target, told)
-                : stages::basis(problem, modes, snapshots, *config.basis, told);
+                : finished(stages::basis(problem, modes, snapshots, *config.basis, told), {});
   });
-  if (config.basis->derivatives > 0 || config.accuracy) {
-    const auto witness = progress.stage("witness", [&] { return taylor(problem, modes, config.basis->modes); });
-    basis.figures.insert(basis.figures.end(), witness.begin(), witness.end());
-  }
-  return {std::move(basis.U), std::move(basis.reduction), std::move(basis.figures)};
+  if (config.basis->derivatives > 0 || config.accuracy)
+    basis.figures.taylor_slope = progress.stage("witness", [&] { return taylor(problem, modes, config.basis->modes); });
+  return basis;
 }
 
-ReducedPolynomial reduce_forces(const config::Config& config, const stages::Problem& problem, const mesh::VertexRows& u,
-                                Progress& progress) {
-  if (config.forces == config::ReducedForces::none) return {};
+std::optional<ReducedPolynomial> reduce_forces(const config::Config& config, const stages::Problem& problem,
+                                               const mesh::VertexRows& u, Progress& progress) {
+  if (config.forces == config::ReducedForces::none) return std::nullopt;
   if (u.cols() > stages::most_coordinates)
     throw InputError("a polynomial of " + std::to_string(u.cols()) + " coordinates is too large (at most " +
                      std::to_string(stages::most_coordinates) + "); give -basis R, such as -basis 30");
   auto value =
       progress.stage("polynomial", [&] { return stages::reduce_polynomial(problem, polynomial_laws(problem), u); });
-  auto witness = progress.stage("witness", [&] { return stages::polynomial_witness(problem, u, value); });
-  return {std::move(value), std::move(witness)};
+  const auto errors = progress.stage("witness", [&] { return stages::polynomial_witness(problem, u, value); });
+  return ReducedPolynomial{std::move(value), errors};
 }
 
-std::string basis_lines(const ReducedBasis& basis, const ReducedPolynomial& polynomial, const model::Inertia& inertia) {
+std::string basis_lines(const ReducedBasis& basis, const std::optional<ReducedPolynomial>& polynomial,
+                        const model::Inertia& inertia) {
   if (!basis.reduction) return "";
   const auto& sigma = basis.reduction->singular_values;
   std::string text = line("basis: %td columns; singular values %.3g ... %.3g of %td found, %.3g left out\n",
@@ -84,19 +80,18 @@ std::string basis_lines(const ReducedBasis& basis, const ReducedPolynomial& poly
                           sigma.size(), basis.reduction->discarded);
   const Eigen::RowVector3d masses = 100 / inertia.mass() * inertia.effective_masses().colwise().sum();
   text += line("effective mass of the basis, all columns: %.2f %% %.2f %.2f\n", masses[0], masses[1], masses[2]);
-  if (const double pairs = figure(basis.figures, "derivative_pairs"); pairs > 0)
-    text += line("modal derivatives: %.0f pairs, %.0f solved, %.0f too small to matter; Taylor slope %.3f\n", pairs,
-                 figure(basis.figures, "derivatives_solved"), figure(basis.figures, "derivatives_skipped"),
-                 figure(basis.figures, "witness_taylor_slope"));
-  if (const double target = figure(basis.figures, "accuracy_target"); target > 0)
+  const auto& [orthonormality, derivatives, taylor_slope, accuracy] = basis.figures;
+  if (derivatives)
     text +=
-        line("accuracy: %.0f columns of %.0f modes and their derivatives; error on the static path %.2e (%.2e asked)\n",
-             figure(basis.figures, "accuracy_columns"), figure(basis.figures, "accuracy_modes"),
-             figure(basis.figures, "accuracy_error"), target);
-  if (polynomial.value)
+        line("modal derivatives: %d pairs, %d solved, %d too small to matter; Taylor slope %.3f\n", derivatives->pairs,
+             derivatives->solved, derivatives->pairs - derivatives->solved, taylor_slope.value_or(0));
+  if (accuracy)
+    text += line("accuracy: %d columns of %d modes and their derivatives; error on the static path %.2e (%.2e asked)\n",
+                 accuracy->reached.columns, accuracy->reached.modes, accuracy->reached.error, accuracy->target);
+  if (polynomial)
     text += line("polynomial: %td quartic coefficients; against the full model: force %.1e, energy %.1e, K(0) %.1e\n",
-                 polynomial.value->quartic.size(), figure(polynomial.witness, "witness_force"),
-                 figure(polynomial.witness, "witness_energy"), figure(polynomial.witness, "witness_stiffness"));
+                 polynomial->value.quartic.size(), polynomial->errors.force, polynomial->errors.energy,
+                 polynomial->errors.stiffness);
   return text;
 }
 

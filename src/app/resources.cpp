@@ -34,8 +34,13 @@ double free_memory_per_rank(MPI_Comm comm) {
   return parallel::min(comm, share);
 }
 
+Memory peak_memory(MPI_Comm comm) {
+  const double mine = peak_memory();
+  return {parallel::max(comm, mine), parallel::sum(comm, mine)};
+}
+
 std::string peak_memory_line(MPI_Comm comm) {
-  const double total = parallel::sum(comm, peak_memory());
+  const double total = peak_memory(comm).all_ranks;
   char text[96];
   std::snprintf(text, sizeof text, "peak memory %.2f GB over %s", total / 1e9,
                 counted(parallel::size(comm), "rank", "ranks").c_str());

@@ -4,8 +4,9 @@
 
 #include "ritz/app/checksums.hpp"
 #include "ritz/app/frequencies.hpp"
+#include "ritz/app/pending_file.hpp"
+#include "ritz/app/report.hpp"
 #include "ritz/app/resolved.hpp"
-#include "ritz/app/resources.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/base/version.hpp"
 #include "ritz/files/names.hpp"
@@ -14,26 +15,12 @@
 #include "ritz/parallel/guard.hpp"
 
 namespace ritz::app {
+
 namespace {
 
 model::Provenance provenance(const config::Config& config, const mesh::Mesh& mesh, stages::Strategy strategy) {
   return {std::string("ritz-reduce ") + version, petsc::library_versions(), resolved(config, mesh, strategy),
           parallel::size(mesh.comm)};
-}
-
-model::Report report(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Results& results, const Progress& progress) {
-  model::Report report;
-  report.seconds = progress.seconds();
-  report.notes = progress.warnings();
-  report.figures = {{"vertices", static_cast<double>(mesh.vertices_total)},
-                    {"cells", static_cast<double>(mesh.cells_total)},
-                    {"degrees_of_freedom", static_cast<double>(dofs.total)},
-                    {"pieces", static_cast<double>(mesh.pieces)},
-                    {"dropped_vertices", static_cast<double>(mesh.dropped_vertices)},
-                    {"eigensolver_iterations", static_cast<double>(results.modes.iterations)},
-                    {"peak_memory_bytes", parallel::sum(mesh.comm, peak_memory())}};
-  report.figures.insert(report.figures.end(), results.figures.begin(), results.figures.end());
-  return report;
 }
 
 /// Column by column: all at once would be several copies of U, and more numbers than one message may have.
@@ -48,32 +35,45 @@ void write_columns(format::ModelWriter& out, MPI_Comm comm, const FileGeometry& 
 
 }  // namespace
 
-void write_model(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
-                 const fem::Materials& materials, const FileGeometry& order, const Results& results,
-                 const Progress& progress, const Outputs& outputs, std::vector<PendingFile>& exported) {
-  const format::ParallelLists lists(mesh.comm);
-  format::ModelWriter out(config.output, {lists.file.get(), lists.transfer.get(), parallel::rank(mesh.comm) == 0,
-                                          [&](std::uint64_t mine) { return parallel::sum(mesh.comm, mine); },
-                                          [&](bool yes) { return parallel::vote(mesh.comm, yes); }});
+struct WrittenModel::Files {
+  explicit Files(MPI_Comm comm, const std::filesystem::path& path)
+      : lists(comm),
+        model(path, {lists.file.get(), lists.transfer.get(), parallel::rank(comm) == 0,
+                     [comm](std::uint64_t mine) { return parallel::sum(comm, mine); },
+                     [comm](bool yes) { return parallel::vote(comm, yes); }}),
+        table(comm, files::table_beside(path, "frequencies")) {}
+
+  format::ParallelLists lists;
+  format::ModelWriter model;
+  PendingFile table;
+};
+
+WrittenModel::WrittenModel(const config::Config& config, const stages::Problem& problem, const FileGeometry& order,
+                           const Results& results, const Progress& progress)
+    : files_(std::make_unique<Files>(problem.mesh.comm, config.output)) {
+  const auto& [mesh, dofs, materials, matrices] = problem;
+  format::ModelWriter& out = files_->model;
   format::write_provenance(out, provenance(config, mesh, results.modes.strategy));
   format::write_checksums(out, checksums(mesh, dofs, materials));
   format::write_geometry(out, order.geometry, order.slices);
   write_columns(out, mesh.comm, order, results.u);
   if (results.modes.modes.eigenvalues.size() > 0) format::write_modes(out, results.modes.modes);
-  if (results.reduction) format::write_reduction(out, *results.reduction);
-  if (results.polynomial) format::write_polynomial(out, *results.polynomial);
+  if (results.basis.reduction) format::write_reduction(out, *results.basis.reduction);
+  if (results.polynomial) format::write_polynomial(out, results.polynomial->value);
   format::write_inertia(out, results.inertia);
   format::write_loads(out, results.loads);
   format::write_report(out, report(mesh, dofs, results, progress));
-  PendingFile table(mesh.comm, files::table_beside(config.output, "frequencies"));
-  table.write(frequencies_csv(results.modes.modes));
-  table.finish();
+  files_->table.write(frequencies_csv(results.modes.modes));
+  files_->table.finish();
   out.finish();
-  outputs.publish([&] {
-    for (auto& file : exported) file.publish();
-    table.publish();
-    out.commit();
-  });
+}
+
+WrittenModel::~WrittenModel() = default;
+WrittenModel::WrittenModel(WrittenModel&&) noexcept = default;
+
+void WrittenModel::publish() {
+  files_->table.publish();
+  files_->model.commit();
 }
 
 }  // namespace ritz::app

@@ -1,14 +1,13 @@
 // The pipeline's results as one file.
 #pragma once
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "ritz/app/file_geometry.hpp"
-#include "ritz/app/outputs.hpp"
-#include "ritz/app/pending_file.hpp"
 #include "ritz/app/progress.hpp"
+#include "ritz/app/reduced_parts.hpp"
 #include "ritz/stages/linear_modes.hpp"
-#include "ritz/stages/witness.hpp"
 
 namespace ritz::app {
 
@@ -16,17 +15,26 @@ namespace ritz::app {
 struct Results {
   const stages::ModesResult& modes;
   const petsc::Tall& u;  ///< the basis over owned vertices
-  const std::optional<model::Reduction>& reduction;
-  const std::optional<model::Polynomial>& polynomial;
+  const ReducedBasis& basis;
+  const std::optional<ReducedPolynomial>& polynomial;
   const model::Inertia& inertia;
   const std::vector<model::SetLoad>& loads;
-  const stages::Figures& figures;
 };
 
-/// Writes the model and, beside it, the table of its frequencies; gives them and what was exported their names.
-/// *Collective*.
-void write_model(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
-                 const fem::Materials& materials, const FileGeometry& order, const Results& results,
-                 const Progress& progress, const Outputs& outputs, std::vector<PendingFile>& exported);
+/// A model and the table of its frequencies beside it, written and not yet named.
+class WrittenModel {
+ public:
+  /// Writes them. *Collective*.
+  WrittenModel(const config::Config& config, const stages::Problem& problem, const FileGeometry& order,
+               const Results& results, const Progress& progress);
+  ~WrittenModel();
+  WrittenModel(WrittenModel&&) noexcept;
+
+  void publish();  ///< Gives them their names. *Collective*.
+
+ private:
+  struct Files;
+  std::unique_ptr<Files> files_;
+};
 
 }  // namespace ritz::app

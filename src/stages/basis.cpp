@@ -72,7 +72,7 @@ void finish(const Problem& problem, const petsc::Tall& R, const petsc::ConstTall
   const double error = (gram - Eigen::MatrixXd::Identity(gram.rows(), gram.cols())).cwiseAbs().maxCoeff();
   if (!(error <= orthonormality_gate))
     throw NumericalError("the basis is not orthonormal: max |UᵀMU - I| is " + shown(error, 3));
-  result.figures.emplace_back("basis_orthonormality", error);
+  result.orthonormality = error;
   result.U = std::move(pairs.vectors);
   result.reduction.stiffness = pairs.values;
 }
@@ -104,12 +104,7 @@ mesh::FreeRows canonical_directions(const Problem& problem, const Principal& set
 BasisResult cut_basis(const Problem& problem, const ModesResult& modes, const ScaledSet& set, int columns) {
   const auto& sigma = set.principal.sigma;
   BasisResult result;
-  if (const auto& counts = set.counts; counts.pairs > 0)
-    result.figures = {{"derivative_pairs", counts.pairs},
-                      {"derivatives_solved", counts.solved},
-                      {"derivatives_skipped", counts.pairs - counts.solved},
-                      {"derivative_iterations", counts.iterations},
-                      {"derivative_residual", counts.residual}};
+  result.derivatives = set.counts;
   result.reduction.singular_values = sigma;
   result.reduction.discarded = std::sqrt(set.principal.discarded + sigma.tail(sigma.size() - columns).squaredNorm());
   const petsc::Tall Q = canonical_directions(problem, set.principal);

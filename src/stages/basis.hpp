@@ -1,7 +1,5 @@
 // The basis U: scaled mass-PCA of modes and derivatives (Eqs. 17, 18), or POD of snapshots (Eq. 12), or both.
 #pragma once
-#include <string>
-#include <utility>
 #include <vector>
 
 #include "ritz/model/model.hpp"
@@ -19,7 +17,8 @@ struct BasisOptions {
 struct BasisResult {
   mesh::FreeRows U;  ///< rows of free degrees of freedom: UᵀMU = I, UᵀKU diagonal and ascending
   model::Reduction reduction;
-  std::vector<std::pair<std::string, double>> figures;  ///< for the report
+  DerivativeCounts derivatives;  ///< that the set was made with
+  double orthonormality = 0;     ///< max |UᵀMU − I|
 };
 
 /// The flexible modes of these numbers. Throws InputError where there are fewer.

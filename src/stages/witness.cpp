@@ -61,7 +61,7 @@ void require(const std::string& what, double error, double allowed) {
 
 }  // namespace
 
-Figures polynomial_witness(const Problem& problem, mesh::VertexRef u, const model::Polynomial& polynomial) {
+PolynomialErrors polynomial_witness(const Problem& problem, mesh::VertexRef u, const model::Polynomial& polynomial) {
   const auto& [mesh, dofs, materials, matrices] = problem;
   const Eigen::MatrixXd z = samples(mesh, u);
   const petsc::Tall displaced = petsc::combine(u, z);
@@ -72,7 +72,7 @@ Figures polynomial_witness(const Problem& problem, mesh::VertexRef u, const mode
                                   petsc::column_norms(mesh.comm, u).maxCoeff();
   const auto forces = runtime::make_polynomial_force<double>(polynomial);
   auto evaluation = runtime::make_evaluation(forces);
-  double force = 0, energy = 0;
+  PolynomialErrors worst;
   for (Index d = 0; d < decades; ++d) {
     runtime::evaluate<double>(forces, z.col(d), evaluation);
     const double size = reduced.col(d).norm();
@@ -80,15 +80,15 @@ Figures polynomial_witness(const Problem& problem, mesh::VertexRef u, const mode
     require("the force", error, rounding[d] / size);
     const double energy_error = std::abs(evaluation.energy - truth.energies[d]) / truth.energies[d];
     require("the energy", energy_error, rounding[d] * z.col(d).norm() / truth.energies[d]);
-    force = std::max(force, error);
-    energy = std::max(energy, energy_error);
+    worst.force = std::max(worst.force, error);
+    worst.energy = std::max(worst.energy, energy_error);
   }
   const petsc::Tall free = mesh::from_vertices(mesh, dofs, u);
   const Eigen::MatrixXd stiffness = petsc::inner(mesh.comm, free, petsc::multiply(matrices.stiffness, free));
   const double scale = stiffness.cwiseAbs().maxCoeff();
-  const double tangent = (forces.linear - stiffness).cwiseAbs().maxCoeff() / scale;
-  require("K at rest", tangent, rounding.maxCoeff() / (scale * z.col(decades - 1).norm()));
-  return {{"witness_force", force}, {"witness_energy", energy}, {"witness_stiffness", tangent}};
+  worst.stiffness = (forces.linear - stiffness).cwiseAbs().maxCoeff() / scale;
+  require("K at rest", worst.stiffness, rounding.maxCoeff() / (scale * z.col(decades - 1).norm()));
+  return worst;
 }
 
 double taylor_slope(const DerivativesSource& source, mesh::FreeRef line, mesh::FreeRef curve) {
@@ -115,16 +115,15 @@ double taylor_slope(const DerivativesSource& source, mesh::FreeRef line, mesh::F
 
 void require_third_order(double slope) {
   if (std::isnan(slope))
-    throw NumericalError(
-        "the modal derivatives could not be tested: rounding hides the remainder of the Taylor series",
-        Reason::untestable_derivatives);
+    throw NumericalError("the modal derivatives could not be tested: rounding hides the remainder of the Taylor series",
+                         Reason::untestable_derivatives);
   if (!(slope >= 2.9 && slope <= 3.1))
     throw NumericalError(
         "the modal derivatives fail their own test: the remainder of the Taylor series falls with the power " +
         shown(slope, 3) + " of the amplitude in place of 3; the model was not written");
 }
 
-Figures taylor_witness(const DerivativesSource& source) {
+double taylor_witness(const DerivativesSource& source) {
   const petsc::Tall psi = source.flexible.leftCols(std::min<Index>(3, source.flexible.cols()));
   const auto modes = static_cast<int>(psi.cols());
   const Eigen::VectorXd p = Eigen::VectorXd::LinSpaced(modes, 1, modes).cwiseInverse();
@@ -139,7 +138,7 @@ Figures taylor_witness(const DerivativesSource& source) {
       });
   const double slope = taylor_slope(source, psi * p, curve);
   require_third_order(slope);
-  return {{"witness_taylor_slope", slope}};
+  return slope;
 }
 
 }  // namespace ritz::stages

@@ -1,21 +1,21 @@
 // A reduced model's own witness: what it claims, computed another way.
 #pragma once
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "ritz/model/model.hpp"
 #include "ritz/stages/derivatives.hpp"
 
 namespace ritz::stages {
 
-using Figures = std::vector<std::pair<std::string, double>>;
+/// The largest relative errors of a polynomial against the full model.
+struct PolynomialErrors {
+  double force = 0;      ///< f̃(z) against Uᵀf(Uz)
+  double energy = 0;     ///< Ẽ(z) against E(Uz)
+  double stiffness = 0;  ///< K̃(0) against UᵀKU
+};
 
-/// f̃(z), Ẽ(z) and K̃(0) of the polynomial against Uᵀf(Uz), E(Uz) and UᵀKU of the full model, at random z whose largest
-/// displacements are 1e-6 ... 1e2 times a tenth of the body's size (nine decades); relative errors, the largest of
-/// each. `u`: the basis over owned vertices. Throws NumericalError, naming the figure, where one is above 1e-11 and
-/// above what rounding of K u alone explains. *Collective*.
-Figures polynomial_witness(const Problem& problem, mesh::VertexRef u, const model::Polynomial& polynomial);
+/// Compares the polynomial with the full model at random z whose largest displacements are 1e-6 ... 1e2 times a tenth
+/// of the body's size (nine decades). `u`: the basis over owned vertices. Throws NumericalError that says which of the
+/// errors is above 1e-11 and above what rounding of K u alone explains. *Collective*.
+PolynomialErrors polynomial_witness(const Problem& problem, mesh::VertexRef u, const model::Polynomial& polynomial);
 
 /// The power of t with which ‖f(t ψ + t² φ) − t K ψ‖ falls over six halvings of t, without resultants where the body is
 /// free: 3 where φ = ½ Σ p_i p_j Φ_ij belongs to ψ = Σ p_i ψ_i (Eq. 17), and 2 for any other φ, zero included. The t
@@ -28,6 +28,6 @@ void require_third_order(double slope);
 
 /// That slope along a direction in the first (at most three) modes, whose derivatives it solves for again. Throws as
 /// above. *Collective*.
-Figures taylor_witness(const DerivativesSource& source);
+double taylor_witness(const DerivativesSource& source);
 
 }  // namespace ritz::stages
