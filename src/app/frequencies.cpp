@@ -21,20 +21,6 @@ std::string formatted(const char* format, ...) {
   return text;
 }
 
-double frequency(double eigenvalue) { return std::sqrt(std::max(0.0, eigenvalue)) / (2 * std::numbers::pi); }
-
-const char* word(model::ModeKind kind) { return kind == model::ModeKind::rigid ? "rigid" : "flexible"; }
-
-const char* word(model::Certified certified) {
-  switch (certified) {
-    case model::Certified::no: return "no";
-    case model::Certified::probabilistic: return "probabilistic";
-    case model::Certified::inertia_f32: return "inertia-f32";
-    case model::Certified::inertia: break;
-  }
-  return "inertia";
-}
-
 std::string participation(const model::Inertia& inertia, Eigen::Index modes) {
   const Eigen::MatrixXd factors = inertia.participation_factors();
   std::string text =
@@ -49,6 +35,20 @@ std::string participation(const model::Inertia& inertia, Eigen::Index modes) {
 
 }  // namespace
 
+double frequency(double eigenvalue) { return std::sqrt(std::max(0.0, eigenvalue)) / (2 * std::numbers::pi); }
+
+const char* word(model::ModeKind kind) { return kind == model::ModeKind::rigid ? "rigid" : "flexible"; }
+
+const char* word(model::Certified certified) {
+  switch (certified) {
+    case model::Certified::no: return "no";
+    case model::Certified::probabilistic: return "probabilistic";
+    case model::Certified::inertia_f32: return "inertia-f32";
+    case model::Certified::inertia: break;
+  }
+  return "inertia";
+}
+
 std::string frequencies_csv(const model::Modes& modes) {
   std::string text = "index,kind,frequency_hz,eigenvalue,residual,certified\n";
   for (Eigen::Index i = 0; i < modes.eigenvalues.size(); ++i)
@@ -58,7 +58,7 @@ std::string frequencies_csv(const model::Modes& modes) {
   return text;
 }
 
-std::string summary(const model::Modes& modes, const model::Inertia& inertia) {
+std::string modes_lines(const model::Modes& modes, const model::Inertia& inertia) {
   const Eigen::Vector3d centre = inertia.centre_of_mass();
   const Eigen::Matrix3d tensor = inertia.tensor();
   const Eigen::MatrixXd masses = inertia.effective_masses();

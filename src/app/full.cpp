@@ -6,12 +6,11 @@
 #include "ritz/app/full_file.hpp"
 #include "ritz/app/full_recorder.hpp"
 #include "ritz/app/full_start.hpp"
+#include "ritz/app/full_summary.hpp"
 #include "ritz/app/outputs.hpp"
 #include "ritz/app/progress.hpp"
 #include "ritz/app/resources.hpp"
 #include "ritz/app/warnings.hpp"
-#include "ritz/base/counted.hpp"
-#include "ritz/base/shown.hpp"
 #include "ritz/parallel/guard.hpp"
 #include "ritz/scene/frames.hpp"
 #include "ritz/scene_file/room.hpp"
@@ -27,15 +26,11 @@ FullPlan plan(const scene::Scene& scene, std::vector<double> times, const std::v
   return plan;
 }
 
-std::string inside_out(std::int64_t cells) {
-  return cells == 0 ? "" : "\n" + counted(cells, "cell is", "cells are") + " inside out at the end";
-}
-
 /// What takes the state after each step.
 using Reached = std::function<void(const stages::DynamicState&, const Effort& so_far)>;
 
-std::string run_statics(stages::FullModel& model, const scene::Scene& scene, const stages::DynamicState& start,
-                        const stages::LoadAt& load, FullRecorder& recorder, const Reached& reached) {
+FullResult run_statics(stages::FullModel& model, const scene::Scene& scene, const stages::DynamicState& start,
+                       const stages::LoadAt& load, FullRecorder& recorder, const Reached& reached) {
   const stages::StaticOptions options{.steps = std::get<scene::Static>(scene.analysis).steps};
   stages::DynamicState state = start;
   recorder.start(state);
@@ -46,13 +41,18 @@ std::string run_statics(stages::FullModel& model, const scene::Scene& scene, con
                                              state.energies.elastic = now.energy;
                                              reached(state, {so_far.newton_iterations, so_far.halvings});
                                            });
-  return std::to_string(report.newton_iterations) + " Newton iterations, " + std::to_string(report.halvings) +
-         " load increments halved" + inside_out(report.inverted_cells);
+  return {.end = state.t,
+          .newton_iterations = report.newton_iterations,
+          .factorizations = report.factorizations,
+          .rejected = report.halvings,
+          .inverted_cells = report.inverted_cells,
+          .elastic = state.energies.elastic,
+          .balance = {}};
 }
 
-std::string run_dynamics(stages::FullModel& model, const scene::Scene& scene, const stages::DynamicState& start,
-                         std::int64_t steps, const stages::LoadAt& load, FullRecorder& recorder,
-                         const Reached& reached) {
+FullResult run_dynamics(stages::FullModel& model, const scene::Scene& scene, const stages::DynamicState& start,
+                        std::int64_t steps, const stages::LoadAt& load, FullRecorder& recorder,
+                        const Reached& reached) {
   const auto& time = std::get<scene::Time>(scene.analysis);
   const stages::DynamicOptions options{
       .integrator = integrator_of(time), .alpha = scene.damping.alpha, .beta = scene.damping.beta, .dt = time.step};
@@ -68,10 +68,13 @@ std::string run_dynamics(stages::FullModel& model, const scene::Scene& scene, co
                                               last = state;
                                               reached(state, {now.newton_iterations, now.rejected});
                                             });
-  return std::to_string(report.newton_iterations) + " Newton iterations, " + std::to_string(report.rejected) +
-         " steps rejected and halved\nenergy balance: at most " + shown(report.largest_drift, 3) +
-         " J of E - E0 - W + Q, the largest energy being " + shown(largest, 3) + " J" +
-         inside_out(stages::inverted_cells(model, last.u));
+  return {.end = last.t,
+          .newton_iterations = report.newton_iterations,
+          .factorizations = report.factorizations,
+          .rejected = report.rejected,
+          .inverted_cells = stages::inverted_cells(model, last.u),
+          .elastic = last.energies.elastic,
+          .balance = EnergyBalance{last.energies, largest, report.gained, report.lost}};
 }
 
 /// Times, energies and probes of all steps are held until the end.
@@ -120,14 +123,22 @@ void simulate(MPI_Comm comm, const config::Config& config) {
     progress.update("", (state.t - start.t) / (times.back() - start.t));
     last = state;
   };
-  const auto summary = progress.stage("run", [&] {
+  auto result = progress.stage("run", [&] {
     return std::holds_alternative<scene::Time>(scene.analysis)
                ? run_dynamics(model, scene, start, steps, load, recorder, reached)
                : run_statics(model, scene, start, load, recorder, reached);
   });
-  progress.stage("write", [&] { recorder.commit(last, checksum, outputs); });
-  progress.line(std::to_string(steps) + " steps of " + std::to_string(problem.dofs.total) + " degrees of freedom: " +
-                summary + "\n" + peak_memory_line(comm) + "\nwrote " + config.output.string());
+  result.start = start.t;
+  result.steps = steps;
+  result.seconds = progress.seconds().back().seconds;
+  progress.stage("write", [&] { recorder.finish(last, checksum); });
+  auto summary = written_summary(comm, config, [&] { return full_summary(config, scene, problem, result, progress); });
+  outputs.publish([&] {
+    if (summary) summary->publish();
+    recorder.publish();
+  });
+  progress.line(result_lines(result, problem.dofs.total) + "\n" + peak_memory_line(comm) + "\nwrote " +
+                config.output.string());
 }
 
 }  // namespace ritz::app

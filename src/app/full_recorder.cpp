@@ -63,8 +63,7 @@ void FullRecorder::record(const stages::DynamicState& state) {
   ++state_;
 }
 
-void FullRecorder::commit(const stages::DynamicState& last, const std::string& problem_checksum,
-                          const Outputs& outputs) {
+void FullRecorder::finish(const stages::DynamicState& last, const std::string& problem_checksum) {
   const auto& e = last.energies;
   const auto whole = [&](const petsc::Tall& x) { return mesh::to_vertices(mesh_, dofs_, x); };
   file_.keep({.kind = kind_,
@@ -87,12 +86,13 @@ void FullRecorder::commit(const stages::DynamicState& last, const std::string& p
   if (probe_file_) write(*probe_file_, probe_rows_);
   if (timing_) timing_->finish();
   file_.finish();
-  outputs.publish([&] {
-    if (energy_file_) energy_file_->publish();
-    if (probe_file_) probe_file_->publish();
-    if (timing_) timing_->publish();
-    file_.publish();
-  });
+}
+
+void FullRecorder::publish() {
+  if (energy_file_) energy_file_->publish();
+  if (probe_file_) probe_file_->publish();
+  if (timing_) timing_->publish();
+  file_.publish();
 }
 
 }  // namespace ritz::app

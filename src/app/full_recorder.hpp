@@ -3,7 +3,6 @@
 #pragma once
 #include "ritz/app/full_file.hpp"
 #include "ritz/app/full_timing.hpp"
-#include "ritz/app/outputs.hpp"
 #include "ritz/app/scene_loads.hpp"
 #include "ritz/stages/full_dynamics.hpp"
 
@@ -21,8 +20,9 @@ class FullRecorder {
   /// The state that a step ends with. *Collective*.
   void step(const stages::DynamicState& state, const Effort& so_far);
 
-  /// Stores `last` for a restart and gives all files their names, which `outputs` holds. *Collective*.
-  void commit(const stages::DynamicState& last, const std::string& problem_checksum, const Outputs& outputs);
+  /// Stores `last` for a restart and brings all files to the disk. *Collective*.
+  void finish(const stages::DynamicState& last, const std::string& problem_checksum);
+  void publish();  ///< Gives them their names. *Collective*.
 
  private:
   void record(const stages::DynamicState& state);

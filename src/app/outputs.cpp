@@ -57,6 +57,7 @@ void Outputs::publish(const std::function<void()>& give_names) const {
 Outputs claim_model(MPI_Comm comm, const config::Config& config) {
   auto plan = common(config);
   plan.outputs.push_back(of_option("output", config.output));
+  if (config.summary) plan.outputs.push_back(of_option("summary", *config.summary));
   if (config.reuse) plan.replaceable.push_back(of_option("reuse", *config.reuse));
   plan.outputs.push_back(beside("the table", files::table_beside(config.output, "frequencies")));
   for (const auto& file : exported_files(config)) plan.outputs.push_back(beside("the matrix", file));
@@ -66,8 +67,9 @@ Outputs claim_model(MPI_Comm comm, const config::Config& config) {
 }
 
 std::optional<Outputs> claim_reports(MPI_Comm comm, const config::Config& config) {
-  if (config.reports.empty()) return std::nullopt;
+  if (config.reports.empty() && !config.summary) return std::nullopt;
   auto plan = common(config);
+  if (config.summary) plan.outputs.push_back(of_option("summary", *config.summary));
   if (config.reuse) plan.inputs.push_back(of_option("reuse", *config.reuse));
   plan.links.push_back(of_option("output", config.output));
   return Outputs(comm, plan);
@@ -76,6 +78,7 @@ std::optional<Outputs> claim_reports(MPI_Comm comm, const config::Config& config
 Outputs claim_motion(MPI_Comm comm, const config::Config& config, const scene::Scene& scene) {
   auto plan = common(config);
   plan.outputs.push_back(of_option("output", config.output));
+  if (config.summary) plan.outputs.push_back(of_option("summary", *config.summary));
   plan.inputs.push_back(of_option("scene", config.full.scene));
   if (config.full.restart) plan.replaceable.push_back(of_option("restart", *config.full.restart));
   if (config.full.frames.value_or(1) > 0)

@@ -32,11 +32,12 @@ class Outputs {
   std::optional<files::Claim> claim_;
 };
 
-/// What ritz-reduce writes: the model, its link, its table of frequencies, and what -export asks for; -reuse may name
-/// the model that the run replaces. *Collective*.
+/// What ritz-reduce writes: the model, its link, its table of frequencies, and what -export and -summary ask for;
+/// -reuse may name the model that the run replaces. *Collective*.
 Outputs claim_model(MPI_Comm comm, const config::Config& config);
 
-/// What a run without a model writes (-plan): the reports of solvers, if any. The output keeps its name. *Collective*.
+/// What a run without a model writes (-plan): the summary and the reports of solvers, if any. The output keeps its
+/// name. *Collective*.
 std::optional<Outputs> claim_reports(MPI_Comm comm, const config::Config& config);
 
 /// What ritz-full writes under `scene`; -restart may name the file that the run replaces. *Collective*.

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "ritz/app/estimate.hpp"
-#include "ritz/app/resources.hpp"
 #include "ritz/base/counted.hpp"
 #include "ritz/parallel/comm.hpp"
 
@@ -39,25 +37,32 @@ stages::ModesOptions choose_strategy(const config::Config& config, const mesh::D
   return options;
 }
 
-void print_plan(const config::Config& config, const stages::Problem& problem, const stages::ModesOptions& options,
-                const Earlier& earlier, const Progress& progress) {
-  const auto stages = estimate_stages(workload(config, problem, options), earlier.basis);
+Plan make_plan(const config::Config& config, const stages::Problem& problem, const stages::ModesOptions& options,
+               const Earlier& earlier, const Progress& progress) {
   const MPI_Comm comm = problem.mesh.comm;
-  double done = 0, coming = 0, memory = 0;
+  Plan plan;
+  plan.stages = estimate_stages(workload(config, problem, options), earlier.basis);
+  double done = 0, memory = 0;
   for (const auto& stage : progress.seconds()) done += stage.seconds;
-  for (const auto& stage : stages) {
-    coming += stage.seconds;
+  plan.stages.push_back({"write", 0.3 * done, 0, "inertia, loads and " + config.output.string()});
+  plan.seconds = done;
+  for (auto& stage : plan.stages) {
+    plan.seconds += stage.seconds;
     memory = std::max(memory, stage.memory);
+    stage.memory = parallel::max(comm, stage.memory);
   }
-  const double rest = 0.3 * done;
+  plan.memory = {parallel::max(comm, memory), parallel::sum(comm, memory)};
+  return plan;
+}
+
+void print_plan(MPI_Comm comm, const Plan& plan, const Progress& progress) {
   char total[160];
   std::snprintf(total, sizeof total, "  %-12s %8.1f s   %.2f GB a rank at most, %.2f GB over %s", "in all",
-                done + coming + rest, parallel::max(comm, memory) / 1e9, parallel::sum(comm, memory) / 1e9,
+                plan.seconds, plan.memory.largest_rank / 1e9, plan.memory.all_ranks / 1e9,
                 counted(parallel::size(comm), "rank", "ranks").c_str());
   progress.line("plan: what these options need (nothing has been solved)");
   for (const auto& stage : progress.seconds()) progress.line(row(stage.stage, stage.seconds, "done for this plan"));
-  for (const auto& stage : stages) progress.line(row(stage.stage, stage.seconds, stage.how));
-  progress.line(row("write", rest, "inertia, loads and " + config.output.string()));
+  for (const auto& stage : plan.stages) progress.line(row(stage.stage, stage.seconds, stage.how));
   progress.line(total);
 }
 

@@ -11,6 +11,7 @@
 #include "ritz/app/plan.hpp"
 #include "ritz/app/plausible.hpp"
 #include "ritz/app/progress.hpp"
+#include "ritz/app/reduce_summary.hpp"
 #include "ritz/app/reduced_parts.hpp"
 #include "ritz/app/resources.hpp"
 #include "ritz/app/snapshots.hpp"
@@ -53,6 +54,16 @@ void refuse_forces_without_polynomial(const config::Config& config, const mesh::
                        fem::default_law);
 }
 
+/// The plan, printed and in the summary.
+void foresee(const config::Config& config, const stages::Problem& problem, const stages::ModesOptions& options,
+             const Earlier& earlier, const std::optional<Outputs>& outputs, const Progress& progress) {
+  const MPI_Comm comm = problem.mesh.comm;
+  const Plan plan = make_plan(config, problem, options, earlier, progress);
+  auto summary = written_summary(comm, config, [&] { return plan_summary(config, problem, earlier, plan, progress); });
+  if (summary) outputs->publish([&] { summary->publish(); });
+  print_plan(comm, plan, progress);
+}
+
 }  // namespace
 
 void reduce(MPI_Comm comm, const config::Config& config) {
@@ -77,7 +88,7 @@ void reduce(MPI_Comm comm, const config::Config& config) {
   const auto options = choose_strategy(config, dofs);
   auto earlier = reuse(config, mesh, dofs, problem.materials, options, progress);
   if (config.snapshots && !earlier.basis) count_snapshots(*config.snapshots, mesh);  // before the long work
-  if (plan_alone) return print_plan(config, problem, options, earlier, progress);
+  if (plan_alone) return foresee(config, problem, options, earlier, outputs, progress);
   const auto path = earlier.basis ? std::nullopt : static_path(config, scene, problem, progress);
   const auto modes = earlier.basis ? earlier.basis->modes : progress.stage("modes", [&] {
     return stages::linear_modes(problem, options, earlier.modes,
@@ -107,11 +118,14 @@ void reduce(MPI_Comm comm, const config::Config& config) {
   });
   const auto of_modes =
       stages::inertia(mesh, problem.matrices.scalar_mass, mesh::to_vertices(mesh, dofs, modes.vectors));
+  auto summary = written_summary(comm, config,
+                                 [&] { return model_summary(config, problem, earlier, results, of_modes, progress); });
   outputs->publish([&] {
     for (auto& file : exported) file.publish();
+    if (summary) summary->publish();
     written.publish();
   });
-  progress.line(size_line(extent(mesh, problem.materials), modes.modes) + "\n" + summary(modes.modes, of_modes) +
+  progress.line(size_line(extent(mesh, problem.materials), modes.modes) + "\n" + modes_lines(modes.modes, of_modes) +
                 basis_lines(reduced, polynomial, inertia) + peak_memory_line(comm) + "\nwrote " +
                 config.output.string());
 }

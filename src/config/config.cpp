@@ -192,6 +192,7 @@ Config read_config(MPI_Comm comm, Given given, Program program) {
   config.voice = options.flag("quiet") ? Voice::quiet : Voice::normal;
   config.exported = static_cast<Export>(options.choice("export", {"none", "matrixmarket", "petsc"}, 0));
   config.output = options.text("output", program == Program::full ? "full.h5" : "model.h5");
+  config.summary = options.text("summary");
   config.full = read_full(options, program);
   config.reports = hand_to_solvers(comm, given);
   config.resolved = options.resolved();

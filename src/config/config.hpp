@@ -71,6 +71,7 @@ struct Config {
   Voice voice = Voice::normal;
   Export exported = Export::nothing;
   std::filesystem::path output = "model.h5";
+  std::optional<std::filesystem::path> summary;     ///< what is printed, as numbers
   std::vector<std::filesystem::path> option_files;  ///< that the command line names
   FullOptions full;
   std::vector<Option> reports;        ///< of solvers, and the log: options whose value is a file that they write

@@ -52,6 +52,7 @@ constexpr std::array entries = std::to_array<OptionEntry>({
     {"export", "matrixmarket | petsc", "", "none", "write K, M and the modes beside the model, in the file's order"},
     {"output", "FILE.h5", "", "model.h5",
      "the model (ritz-full: the motion, by default full.h5); its tables stand beside it and are named after it"},
+    {"summary", "FILE.json", "", "none", "write everything that is printed as numbers, to a file that scripts read"},
     {"plan", "", "", "off", "print the stages, their memory and time, and stop"},
     {"quiet", "", "", "off", "print only warnings and errors"},
     {"options_file", "FILE", "", "none",

@@ -23,7 +23,8 @@ constexpr double linear_tolerance = 1e-8;  ///< of the iterative solver, relativ
 struct Call {
   const Equations& equations;
   double tolerance, scale;
-  std::exception_ptr thrown;
+  std::exception_ptr thrown = {};
+  int tangents = 0;  ///< each of which is then factored
 };
 
 Tall values(Vec v) {
@@ -64,7 +65,10 @@ PetscErrorCode residual(SNES, Vec x, Vec r, void* context) {
 }
 
 PetscErrorCode tangent(SNES, Vec x, Mat, Mat, void* context) {
-  return guarded(context, [&](Call& call) { call.equations.tangent(values(x)); });
+  return guarded(context, [&](Call& call) {
+    call.equations.tangent(values(x));
+    ++call.tangents;
+  });
 }
 
 PetscErrorCode converged(SNES snes, PetscInt, PetscReal, PetscReal, PetscReal norm, SNESConvergedReason* reason,
@@ -171,7 +175,7 @@ Newton::Newton(Mat jacobian, LinearSolver solver, const ConstTallRef& near_null)
 
 NewtonOutcome Newton::solve(const Equations& equations, double tolerance, double scale, Tall& x) {
   if (!std::isfinite(scale)) return {.reason = "the forces are not finite"};
-  Call call{equations, tolerance, scale, nullptr};
+  Call call{equations, tolerance, scale};
   check(SNESSetFunction(snes_, nullptr, residual, &call));
   check(SNESSetJacobian(snes_, jacobian_, jacobian_, tangent, &call));
   check(SNESSetConvergenceTest(snes_, converged, &call, nullptr));
@@ -199,6 +203,7 @@ NewtonOutcome Newton::solve(const Equations& equations, double tolerance, double
   check(SNESGetFunctionNorm(snes_, &outcome.residual));
   outcome.result = reason > 0 ? Convergence::converged : Convergence::failed;
   outcome.iterations = static_cast<int>(iterations);
+  outcome.factorizations = call.tangents;
   outcome.reason = SNESConvergedReasons[reason];
   return outcome;
 }

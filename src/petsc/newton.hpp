@@ -25,8 +25,9 @@ enum class Convergence { converged, failed };
 struct NewtonOutcome {
   Convergence result = Convergence::failed;
   int iterations = 0;
-  double residual = 0;  ///< ‖r‖ at the end
-  std::string reason;   ///< PETSc's word for how it ended
+  int factorizations = 0;  ///< of Jacobians, or set-ups of multigrid for one
+  double residual = 0;     ///< ‖r‖ at the end
+  std::string reason;      ///< PETSc's word for how it ended
 };
 
 /// What one linear solve found.

@@ -151,6 +151,7 @@ class Motion {
     scale_ = equations.scale();
     outcome_ = model_.newton.solve(equations.equations(), options_.tolerance, scale_, d);
     report.newton_iterations += outcome_.iterations;
+    report.factorizations += outcome_.factorizations;
     if (outcome_.result == petsc::Convergence::failed) return std::nullopt;
 
     DynamicState next{now.t + dt, now.u + d, r.v * d + r.v0, r.a * d + r.a0, now.energies};
@@ -200,7 +201,9 @@ DynamicReport full_dynamics(FullModel& model, const DynamicOptions& options, Dyn
   for (std::int64_t n = 1; n <= steps; ++n) {
     motion.advance(state, options.dt, 0);
     state.t = start + static_cast<double>(n) * options.dt;
-    motion.report.largest_drift = std::max(motion.report.largest_drift, std::abs(state.energies.drift()));
+    const double drift = state.energies.drift();
+    motion.report.gained = std::max(motion.report.gained, drift);
+    motion.report.lost = std::max(motion.report.lost, -drift);
     reached(state, motion.report);
   }
   return motion.report;

@@ -39,8 +39,9 @@ struct DynamicState {
 
 struct DynamicReport {
   std::int64_t newton_iterations = 0;
-  std::int64_t rejected = 0;  ///< steps that did not converge and were halved
-  double largest_drift = 0;   ///< |E − E₀ − W + Q|, J
+  std::int64_t factorizations = 0;  ///< of tangents, or set-ups of multigrid for one
+  std::int64_t rejected = 0;        ///< steps that did not converge and were halved
+  double gained = 0, lost = 0;      ///< how far E − E₀ − W + Q was above and below zero at the most, J
 };
 
 /// M a = F(t) − D v − f(u). *Collective*.

@@ -53,6 +53,7 @@ class Loading {
     outcome_ = model_.newton.solve(equations, options_.tolerance, scale, u);
     scale_ = scale;
     report.newton_iterations += outcome_.iterations;
+    report.factorizations += outcome_.factorizations;
     unstable_ = outcome_.iterations > 0 ? model_.newton.negative_pivots() : 0;
     if (outcome_.result == petsc::Convergence::failed || unstable_ > 0) return false;
     const auto inverted = inverted_cells(model_, u);

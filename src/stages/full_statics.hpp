@@ -22,6 +22,7 @@ struct StaticState {
 
 struct StaticReport {
   int newton_iterations = 0;
+  int factorizations = 0;           ///< of tangents, or set-ups of multigrid for one
   int halvings = 0;                 ///< load increments that had to be cut in two
   std::int64_t inverted_cells = 0;  ///< at the end
 };

@@ -44,7 +44,7 @@ TEST_P(Cells, AvfKeepsTheEnergy) {
         run.motion({.integrator = FullIntegrator::avf, .dt = .02}, start, 200, constant(run.zeros()), &report);
     EXPECT_EQ(report.rejected, 0);
     EXPECT_GT(last.energies.start, .1);
-    EXPECT_LE(report.largest_drift, 1e-9 * last.energies.start) << fem::name(materials[0].law);
+    EXPECT_LE(std::max(report.gained, report.lost), 1e-9 * last.energies.start) << fem::name(materials[0].law);
   }
 }
 
@@ -76,7 +76,7 @@ TEST(FullDynamics, AvfBalancesWorkAndDamping) {
   const auto last = run.motion({.integrator = FullIntegrator::avf, .alpha = .3, .beta = .002, .dt = .02}, run.rest(),
                                100, load, &report);
   EXPECT_GT(last.energies.dissipated, .1);
-  EXPECT_LE(report.largest_drift, 1e-9 * (last.energies.dissipated + last.energies.kinetic));
+  EXPECT_LE(std::max(report.gained, report.lost), 1e-9 * (last.energies.dissipated + last.energies.kinetic));
 }
 
 // At small amplitudes a mode swings as Newmark's recurrence for an oscillator says: u(t) = cos(θ t/Δt), with
@@ -116,7 +116,7 @@ TEST(FullDynamics, HalvesAStepThatDoesNotConverge) {
                                     constant(blow.run.zeros()), &report);
   EXPECT_GT(report.rejected, 0);
   EXPECT_NEAR(last.t, .6, 1e-15);
-  EXPECT_LE(report.largest_drift, 1e-9 * last.energies.start);
+  EXPECT_LE(std::max(report.gained, report.lost), 1e-9 * last.energies.start);
 }
 
 TEST(FullDynamics, NamesTheStepThatCannotBeTaken) {
