@@ -9,6 +9,7 @@ points, so they agree to a few 1e-3 only. Beside them, what -plan promises of bo
 """
 import argparse
 import csv
+import json
 import os
 import pathlib
 import re
@@ -36,29 +37,28 @@ def grid(cells, unknowns):
 
 
 def timed(command, folder, limit):
-    """Seconds on the wall, or None when it took longer than `limit`; its output."""
+    """Seconds on the wall, or None when it took longer than `limit`."""
     start = time.perf_counter()
     try:
         done = subprocess.run(command, cwd=folder, env=ENVIRONMENT, capture_output=True, text=True, timeout=limit)
     except subprocess.TimeoutExpired:
-        return None, ""
+        return None
     if done.returncode != 0:
         sys.exit(f"{' '.join(map(str, command))} failed:\n{done.stdout}{done.stderr}")
-    return time.perf_counter() - start, done.stdout + done.stderr
+    return time.perf_counter() - start
 
 
 def reduce(binary, mesh, ranks, folder):
     command = ["mpirun", "-n", str(ranks), binary, "-mesh", mesh, "-fix", "xmin", "-modes", str(MODES),
-               "-output", "model.h5"] + [w for k, v in MATERIAL.items() for w in (f"-material_{k}", str(v))]
-    _, plan = timed([*command, "-plan"], folder, None)
-    plan_seconds, plan_memory = map(float, re.search(r"in all +([\d.]+) s .* ([\d.]+) GB over", plan).groups())
-    seconds, text = timed(command, folder, None)
-    stages = {m[0]: float(m[1]) for m in re.findall(r"^[-\d]+ [:\d]+  (\w+) +([\d.]+) s$", text, re.M)}
-    memory = float(re.search(r"peak memory ([\d.]+) GB", text)[1])
-    with open(folder / "frequencies.csv") as rows:
-        frequencies = [float(row["frequency_hz"]) for row in csv.DictReader(rows)]
-    return dict(seconds=seconds, memory=memory, stages=stages, frequencies=frequencies,
-                plan_seconds=plan_seconds, plan_memory=plan_memory)
+               "-output", "model.h5", "-summary", "summary.json"] + [w for k, v in MATERIAL.items() for w in (f"-material_{k}", str(v))]
+    timed([*command, "-plan"], folder, None)
+    plan = json.loads((folder / "summary.json").read_text())["plan"]
+    seconds = timed(command, folder, None)
+    summary = json.loads((folder / "summary.json").read_text())
+    return dict(seconds=seconds, memory=summary["memory"]["all_ranks"] / 1e9,
+                stages={row["stage"]: row["seconds"] for row in summary["stages"]},
+                frequencies=summary["modes"]["frequency_hz"],
+                plan_seconds=plan["seconds"], plan_memory=plan["memory"]["all_ranks"] / 1e9)
 
 
 def write_inp(folder):
@@ -85,7 +85,7 @@ def calculix(folder, limit):
     if not ccx:
         return None
     write_inp(folder)
-    seconds, _ = timed([sys.executable, "-c", CHILD, ccx, "beam"], folder, limit)
+    seconds = timed([sys.executable, "-c", CHILD, ccx, "beam"], folder, limit)
     if seconds is None:
         return None
     memory = float((folder / "memory").read_text()) * 1024 / 1e9

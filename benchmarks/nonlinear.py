@@ -8,9 +8,9 @@ ranks. The same with 10 modes' 55 derivatives says what the other 155 cost: stre
 modes' seconds are what the rest is measured against, and -plan's promises are held against what came.
 """
 import argparse
+import json
 import os
 import pathlib
-import re
 import subprocess
 import sys
 import tempfile
@@ -25,22 +25,22 @@ WHOLE, AFTER, MEMORY = 60.0, 20.0, 4.0  # the bars: s, s, GB
 
 
 def run(binary, ranks, derivatives):
-    """Seconds of the whole program and of each stage, GB over all ranks; seconds and GB that -plan promises."""
+    """Seconds of the whole program and of each stage, GB over all ranks; GB and seconds that -plan promises."""
     command = ["mpirun", "-n", str(ranks), binary, *BEAM, "-derivatives", str(derivatives)]
     with tempfile.TemporaryDirectory() as folder:
-        plan = re.search(r"in all +([\d.]+) s .* ([\d.]+) GB over", said([*command, "-plan"], folder))
+        plan = summary([*command, "-plan"], folder)["plan"]
         start = time.perf_counter()
-        text = said(command, folder)
+        whole = summary(command, folder)
         seconds = time.perf_counter() - start
-    stages = [(m[0], float(m[1])) for m in re.findall(r"^[-\d]+ [:\d]+  (\w+) +([\d.]+) s$", text, re.M)]
-    return seconds, stages, float(re.search(r"peak memory ([\d.]+) GB", text)[1]), *map(float, plan.groups())
+    stages = [(row["stage"], row["seconds"]) for row in whole["stages"]]
+    return seconds, stages, *(of["all_ranks"] / 1e9 for of in (whole["memory"], plan["memory"])), plan["seconds"]
 
 
-def said(command, folder):
-    done = subprocess.run(command, cwd=folder, env=ENVIRONMENT, capture_output=True, text=True)
+def summary(command, folder):
+    done = subprocess.run([*command, "-summary", "summary.json"], cwd=folder, env=ENVIRONMENT, capture_output=True, text=True)
     if done.returncode != 0:
         sys.exit(done.stdout + done.stderr)
-    return done.stdout
+    return json.loads((pathlib.Path(folder) / "summary.json").read_text())
 
 
 def main():
@@ -49,7 +49,8 @@ def main():
     parser.add_argument("--ranks", default=2, type=int)
     args = parser.parse_args()
     for derivatives in (10, 20):
-        seconds, stages, memory, plan_seconds, plan_memory = run((args.bin / "ritz-reduce").resolve(), args.ranks, derivatives)
+        binary = (args.bin / "ritz-reduce").resolve()
+        seconds, stages, memory, plan_memory, plan_seconds = run(binary, args.ranks, derivatives)
         names = [name for name, _ in stages]
         after = sum(s for _, s in stages[names.index("modes") + 1:])
         modes = stages[names.index("modes")][1]

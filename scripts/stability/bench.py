@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import csv
+import json
 import os
 import shlex
 import subprocess
@@ -96,6 +97,10 @@ class Bench:
 
     def body(self, name, *datasets):
         return self.read(name, *(f"bodies/body/{dataset}" for dataset in datasets))
+
+    def summary(self, name):
+        """What -summary wrote."""
+        return json.loads((self.folder / name).read_text())
 
     def table(self, name):
         """Header and rows of a CSV file of numbers."""

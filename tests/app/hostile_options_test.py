@@ -1,5 +1,6 @@
 """An options file, a folder's own files of options, or a scene that somebody was sent: they run no command, load no
 library, and end in one sentence."""
+import json
 import os
 import re
 import shutil
@@ -164,7 +165,8 @@ class Lengths(InAFolder):
     """No value is cut: the last of many supports counts."""
 
     def free(self, *words):
-        return int(re.search(r"(\d+) degrees? of freedom", self.reduce(*words, ranks=1).stdout)[1])
+        self.reduce(*words, "-summary", "s.json", ranks=1)
+        return json.loads((self.folder / "s.json").read_text())["problem"]["degrees_of_freedom"]
 
     def test_of_a_value(self):
         expected = self.free(*BOX, "-fix", "xmin,xmax")
