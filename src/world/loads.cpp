@@ -48,31 +48,19 @@ std::int64_t find_vertex(const model::Body& body, std::int64_t id) {
                                       std::to_string(*std::ranges::max_element(ids))));
 }
 
-/// r x 3: a unit force along x, y, z on the target's vertices, shared by all of them; with it their number.
-struct UnitForce {
-  Eigen::MatrixXd shared;
-  double vertices;
-};
-
-UnitForce unit_force(const model::Body& body, const scene::Target& target) {
-  if (const auto* name = std::get_if<std::string>(&target)) {
-    const auto& set = meant_set(body, *name, SetUse::vertices);
-    return {set.total, static_cast<double>(set.vertices)};
-  }
-  const std::int64_t row = find_vertex(body, std::get<std::int64_t>(target));
-  return {runtime::mean_rows(body.basis, {&row, 1}).transpose(), 1};
+/// How many vertices share a force.
+double vertices_of(const model::Body& body, const scene::Target& target) {
+  const auto* name = std::get_if<std::string>(&target);
+  return name ? static_cast<double>(meant_set(body, *name, SetUse::vertices).vertices) : 1.0;
 }
 
 struct Projection {
   const model::Body& body;
   const scene::Target& target;
 
-  Eigen::VectorXd operator()(const scene::TotalForce& f) const {
-    return unit_force(body, target).shared * vector(f.newton);
-  }
+  Eigen::VectorXd operator()(const scene::TotalForce& f) const { return unit_force(body, target) * vector(f.newton); }
   Eigen::VectorXd operator()(const scene::EachForce& f) const {
-    const auto unit = unit_force(body, target);
-    return unit.shared * vector(f.newton) * unit.vertices;
+    return unit_force(body, target) * vector(f.newton) * vertices_of(body, target);
   }
   Eigen::VectorXd operator()(const scene::Pressure& p) const {
     return find_surface(body, std::get<std::string>(target), "pressure").pressure * p.pascal;
@@ -83,6 +71,12 @@ struct Projection {
 };
 
 }  // namespace
+
+Eigen::MatrixXd unit_force(const model::Body& body, const scene::Target& target) {
+  if (const auto* name = std::get_if<std::string>(&target)) return meant_set(body, *name, SetUse::vertices).total;
+  const std::int64_t row = find_vertex(body, std::get<std::int64_t>(target));
+  return runtime::mean_rows(body.basis, {&row, 1}).transpose();
+}
 
 Eigen::Vector3d vector(const scene::Vector3& v) { return {v[0], v[1], v[2]}; }
 
@@ -107,7 +101,7 @@ Eigen::MatrixXd probe_matrix(const scene::Scene& scene, const model::Body& body)
   Eigen::MatrixXd P(3 * scene.probes.size(), reduced_size(body));
   Eigen::Index row = 0;
   for (const auto& probe : scene.probes) {
-    P.middleRows<3>(row) = unit_force(body, probe.target).shared.transpose();
+    P.middleRows<3>(row) = unit_force(body, probe.target).transpose();
     row += 3;
   }
   return P;

@@ -21,6 +21,12 @@ runtime::Model<Scalar> make_model(const model::Body& body, const scene::Damping&
 template <class Scalar>
 runtime::Integrator choose(std::optional<scene::Integrator> asked, const runtime::Model<Scalar>& model);
 
+/// A model that instances can share.
+template <class Scalar>
+std::shared_ptr<const runtime::Model<Scalar>> share(runtime::Model<Scalar> model) {
+  return std::make_shared<const runtime::Model<Scalar>>(std::move(model));
+}
+
 /// One of any number of bodies of a kind, which share the constant model.
 template <class Scalar = double>
 struct Instance {

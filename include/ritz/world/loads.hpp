@@ -24,6 +24,11 @@ struct ReducedLoad {
   void evaluate(const scene::Scene& scene, double t, Eigen::Ref<Eigen::VectorXd> force) const;
 };
 
+/// Uᵀb, r x 3, for a unit force along x, y, z that the target's vertices share equally: a force f, N, on the target is
+/// unit_force f on the reduced coordinates, and its transpose times z is the mean displacement of the target, m. Throws
+/// InputError for a set or vertex that the model does not have, naming the nearest set.
+Eigen::MatrixXd unit_force(const model::Body& body, const scene::Target& target);
+
 /// Projects forces, pressures, gravity (UᵀMR_t g) and shaking (-UᵀMR_t a). Throws InputError for a set or vertex that
 /// the model does not have, naming the nearest set, and for pressure or traction on a set without a surface.
 ReducedLoad reduce_loads(const scene::Scene& scene, const model::Body& body);

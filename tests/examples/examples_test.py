@@ -1,0 +1,102 @@
+"""The examples do what they say: compared with ritz-run, with each other, and with the programs' own figures."""
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+BIN = Path(os.environ["RITZ_BIN"])
+EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
+PROBLEM = ("-mesh box:1,.1,.1/10,1,1/tet4 -fix xmin -material_young 1e6 -material_poisson .3 -material_density 1000 "
+           "-modes 3 -derivatives 3 -basis 6 -polynomial -quiet").split()
+PULL = """[time]
+step = 0.01
+end = 2
+[damping]
+alpha = 0.5
+[[load]]
+vertex = {vertex}
+total = [0, 0, -1]
+table = [[0, 0], [0.01, 1], [1, 1], [1.01, 0]]
+[[probe]]
+name = "tip"
+vertex = {vertex}
+"""
+
+
+def output(*words):
+    return subprocess.run([str(word) for word in words], capture_output=True, text=True, check=True, timeout=200).stdout
+
+
+class Examples(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.folder = Path(cls.temporary.name)
+        cls.model = cls.folder / "model.h5"
+        output(BIN / "ritz-reduce", *PROBLEM, "-output", cls.model)
+        with h5py.File(cls.model) as file:
+            geometry = file["bodies/body/geometry"]
+            cls.vertex = int(geometry["vertex_ids"][np.argmax(geometry["points"][:, 0])])
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()
+
+    def test_push_moves_as_ritz_run_does(self):
+        (self.folder / "scene.toml").write_text(PULL.format(vertex=self.vertex))
+        output(BIN / "ritz-run", self.model, "--scene", self.folder / "scene.toml", "--output", self.folder / "motion.h5")
+        there = np.loadtxt(self.folder / "probes.csv", delimiter=",", skiprows=1)[1:]
+        here = np.array([line.split() for line in output(BIN / "example_push", self.model, self.vertex).splitlines()],
+                        float)
+        self.assertEqual(here.shape, (200, 4))
+        np.testing.assert_allclose(here, there, rtol=1e-7, atol=1e-9 * np.abs(there).max())
+        self.assertGreater(np.abs(here[:, 3]).max(), 1e-3)
+
+    def test_push_names_a_vertex_that_is_not_there(self):
+        done = subprocess.run([BIN / "example_push", self.model, "123456"], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("123456", done.stderr)
+
+    def test_sixteen_bodies_move_each_by_its_own_force(self):
+        ways = [float(line.split()[2]) for line in output(BIN / "example_sixteen", self.model, self.vertex).splitlines()]
+        self.assertEqual(len(ways), 16)
+        self.assertEqual(ways, sorted(ways))
+        self.assertLess(ways[15], 16 * ways[0])  # the rubber stiffens
+        one = np.array([line.split() for line in output(BIN / "example_push", self.model, self.vertex).splitlines()], float)
+        self.assertAlmostEqual(ways[0], np.linalg.norm(one[:100, 1:], axis=1).max(), delta=1e-8 * ways[0])
+
+    def test_evaluate_is_the_derivative_of_its_energy(self):
+        sys.path.insert(0, str(EXAMPLES))
+        import evaluate
+        with h5py.File(self.model) as file:
+            part = file["bodies/body/polynomial"]
+            r = int(part.attrs["column_count"])
+            A, B, C = (evaluate.tensor(part[name][:], r, order)
+                       for name, order in (("quadratic", 2), ("cubic", 3), ("quartic", 4)))
+            stiffness = file["bodies/body/reduction/stiffness"][:]
+        np.testing.assert_allclose(A, np.diag(stiffness), atol=1e-9 * stiffness.max())
+        z, side = .02 * np.linspace(1, -1, r), 1e-6
+        _, force, tangent = evaluate.evaluate(A, B, C, z)
+        for i, unit in enumerate(side * np.eye(r)):
+            above, below = evaluate.evaluate(A, B, C, z + unit), evaluate.evaluate(A, B, C, z - unit)
+            self.assertAlmostEqual((above[0] - below[0]) / 2 / side, force[i], delta=1e-6 * np.abs(force).max())
+            np.testing.assert_allclose((above[1] - below[1]) / 2 / side, tangent[i], atol=1e-6 * np.abs(tangent).max())
+        said = output("/usr/bin/python3", EXAMPLES / "evaluate.py", self.model, ",".join(map(str, z)))
+        self.assertIn(f"energy {evaluate.evaluate(A, B, C, z)[0]:.12g} J", said)
+
+    def test_sweep_converges_and_draws(self):
+        said = output("/usr/bin/python3", EXAMPLES / "sweep.py", BIN, self.folder / "sweep")
+        errors = [float(line.split("tip ")[1].split()[0]) for line in said.splitlines()]
+        self.assertEqual(len(errors), 6)
+        self.assertLess(errors[-1], .02)
+        self.assertLess(errors[-1], errors[0] / 10)
+        self.assertTrue((self.folder / "sweep/sweep.png").read_bytes().startswith(b"\x89PNG"))
+
+
+if __name__ == "__main__":
+    unittest.main()
