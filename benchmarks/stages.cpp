@@ -6,7 +6,7 @@
 
 #include "ritz/mesh/halo.hpp"
 #include "ritz/mesh/read.hpp"
-#include "ritz/petsc/gram.hpp"
+#include "ritz/petsc/dense.hpp"
 #include "ritz/petsc/session.hpp"
 #include "ritz/stages/derivative_loads.hpp"
 #include "ritz/stages/fixed_vectors.hpp"

@@ -2,13 +2,12 @@
 # through an include path of its own, which only the layers named after USES can see: a forbidden include
 # finds no file.
 #
-#   ritz_layer(NAME [INSTALLED] [FOLDER F] [ONLY STEM | WITHOUT STEM] [USES layers...] [LIBRARIES targets...])
+#   ritz_layer(NAME [INSTALLED] [FOLDER F] [USES layers...] [LIBRARIES targets...])
 #
 # INSTALLED: the headers live in include/ritz/F and are installed; else they stand beside the sources in src/F.
-# FOLDER: where the sources are, when one folder is compiled into two layers (format: serial and MPI HDF5; mesh: readers
-# without MPI). ONLY, WITHOUT: the sources whose names begin so, or the others.
+# FOLDER: where the sources are, when one folder is compiled into two layers (format: serial and MPI HDF5).
 function(ritz_layer name)
-  cmake_parse_arguments(L "INSTALLED" "FOLDER;ONLY;WITHOUT" "USES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(L "INSTALLED" "FOLDER" "USES;LIBRARIES" ${ARGN})
   set(folder ${name})
   if(L_FOLDER)
     set(folder ${L_FOLDER})
@@ -24,11 +23,6 @@ function(ritz_layer name)
 
   file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/${folder}/*.cpp")
   list(FILTER sources EXCLUDE REGEX "_main\\.cpp$")
-  if(L_ONLY)
-    list(FILTER sources INCLUDE REGEX "/${L_ONLY}[^/]*$")
-  elseif(L_WITHOUT)
-    list(FILTER sources EXCLUDE REGEX "/${L_WITHOUT}[^/]*$")
-  endif()
   set(target ritz_${name})
   if(sources)
     add_library(${target} STATIC ${sources})

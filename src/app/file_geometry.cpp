@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "ritz/parallel/comm.hpp"
-#include "ritz/petsc/accumulate.hpp"
+#include "ritz/petsc/multivector.hpp"
 
 namespace ritz::app {
 namespace {

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "ritz/mesh/partition.hpp"
-#include "ritz/mesh/ship.hpp"
+#include "ritz/mesh/part.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/parallel/guard.hpp"
 

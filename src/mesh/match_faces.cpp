@@ -1,4 +1,4 @@
-#include "ritz/mesh/match_faces.hpp"
+#include "ritz/mesh/topology.hpp"
 
 #include <algorithm>
 

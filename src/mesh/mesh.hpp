@@ -9,10 +9,20 @@
 #include <string>
 #include <vector>
 
-#include "ritz/mesh/file_mesh.hpp"
 #include "ritz/mesh/halo.hpp"
+#include "ritz/readers/file_mesh.hpp"
 
 namespace ritz::mesh {
+
+// What a distributed mesh has in common with its file.
+using readers::FaceCell;
+using readers::FileMaterial;
+using readers::FileMesh;
+using readers::Ignored;
+using readers::Index;
+using readers::NamedSet;
+using readers::Overlap;
+using readers::Region;
 
 /// Solid cells by local vertex numbers. The first `owned` belong to this rank; the rest is the halo: every other cell
 /// that touches an owned vertex, so that rows of owned vertices are complete without communication.

@@ -45,4 +45,10 @@ struct Shared {
 /// Numbers a part: owned vertices first, ghosts after, global numbers from the owners. *Collective*.
 Mesh number_part(MPI_Comm comm, Part part, Shared shared);
 
+void send_part(MPI_Comm comm, const Part& part, int to);
+Part receive_part(MPI_Comm comm, int from = 0);
+
+/// Rank 0's value to all. *Collective*.
+void broadcast_shared(MPI_Comm comm, Shared& shared);
+
 }  // namespace ritz::mesh

@@ -1,4 +1,4 @@
-#include "ritz/mesh/partition.hpp"
+#include "ritz/mesh/distribute.hpp"
 
 #include <metis.h>
 

@@ -17,9 +17,9 @@ void convert(FileMesh& mesh, const Units& units) {
 }
 
 FileMesh read_whole(const Source& source, const std::filesystem::path& path, Index& dropped) {
-  FileMesh mesh = read_file(path, source.ignored);
+  FileMesh mesh = readers::read_file(path, source.ignored);
   for (const auto& list : source.vertex_lists)
-    mesh.sets.push_back({list.string(), read_bou(list, static_cast<Index>(mesh.points.size())), {}});
+    mesh.sets.push_back({list.string(), readers::read_bou(list, static_cast<Index>(mesh.points.size())), {}});
   dropped = drop_unused_vertices(mesh);
   convert(mesh, source.units);
   return mesh;

@@ -1,4 +1,4 @@
-#include "ritz/mesh/ship.hpp"
+#include "ritz/mesh/part.hpp"
 
 #include "ritz/parallel/comm.hpp"
 

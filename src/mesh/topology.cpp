@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include "ritz/base/error.hpp"
-#include "ritz/mesh/match_faces.hpp"
 
 namespace ritz::mesh {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "ritz/mesh/file_mesh.hpp"
+#include "ritz/readers/file_mesh.hpp"
 
 namespace ritz::mesh {
 
@@ -16,7 +16,7 @@ struct Units {
 
   double pressure() const { return mass / (length * time * time); }
   double density() const { return mass / (length * length * length); }
-  FileMaterial to_si(FileMaterial m) const {
+  readers::FileMaterial to_si(readers::FileMaterial m) const {
     if (m.young) *m.young *= pressure();
     if (m.density) *m.density *= density();
     return m;

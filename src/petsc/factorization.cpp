@@ -7,8 +7,8 @@
 #include "ritz/base/shown.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/petsc/check.hpp"
+#include "ritz/petsc/handle.hpp"
 #include "ritz/petsc/mumps.hpp"
-#include "ritz/petsc/preconditioner.hpp"
 
 namespace ritz::petsc {
 namespace {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "ritz/parallel/comm.hpp"
+#include "ritz/petsc/check.hpp"
 
 namespace ritz::petsc {
 
@@ -49,6 +50,13 @@ class Handle {
  private:
   T object_ = nullptr;
 };
+
+/// The preconditioner that `ksp` owns.
+inline PC preconditioner(KSP ksp) {
+  PC pc = nullptr;
+  check(KSPGetPC(ksp, &pc));
+  return pc;
+}
 
 /// The ranks that share a matrix.
 inline MPI_Comm comm_of(Mat A) { return PetscObjectComm(reinterpret_cast<PetscObject>(A)); }

@@ -6,8 +6,8 @@
 #include "ritz/base/random.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/petsc/check.hpp"
+#include "ritz/petsc/dense.hpp"
 #include "ritz/petsc/handle.hpp"
-#include "ritz/petsc/symmetric_eigen.hpp"
 
 namespace ritz::petsc {
 namespace {

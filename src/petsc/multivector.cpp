@@ -1,17 +1,18 @@
 #include "ritz/petsc/multivector.hpp"
 
 #include <petscblaslapack.h>
-
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "ritz/parallel/comm.hpp"
 #include "ritz/petsc/check.hpp"
+#include "ritz/petsc/dense.hpp"
 #include "ritz/petsc/handle.hpp"
 #include "ritz/petsc/panel.hpp"
-#include "ritz/petsc/symmetric_eigen.hpp"
 
 namespace ritz::petsc {
+
 namespace {
 
 constexpr Eigen::Index least_panel = 3;  ///< columns from which a panel, even a part of one, is faster
@@ -149,6 +150,23 @@ int orthonormalise(Mat M, const ConstTallRef& against, TallRef x, double drop) {
     kept = rank;
   }
   return kept;
+}
+
+Tall accumulate(MPI_Comm comm, std::span<const std::int64_t> numbers, const ConstTallRef& values, int owned) {
+  const std::vector<PetscInt> where(numbers.begin(), numbers.end());
+  Tall sums(owned, values.cols());
+  for (Eigen::Index j = 0; j < values.cols(); ++j) {
+    Vector v;
+    check(VecCreateMPI(comm, owned, PETSC_DETERMINE, v.out()));
+    check(VecSetValues(v, static_cast<PetscInt>(where.size()), where.data(), values.col(j).data(), ADD_VALUES));
+    check(VecAssemblyBegin(v));
+    check(VecAssemblyEnd(v));
+    const PetscScalar* entries = nullptr;
+    check(VecGetArrayRead(v, &entries));
+    std::copy_n(entries, owned, sums.col(j).data());
+    check(VecRestoreArrayRead(v, &entries));
+  }
+  return sums;
 }
 
 }  // namespace ritz::petsc

@@ -2,6 +2,8 @@
 #pragma once
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "ritz/petsc/handle.hpp"
@@ -40,5 +42,9 @@ std::vector<Vector> as_vectors(Mat A, const ConstTallRef& x);
 /// once more where much was taken away in the second pass. Directions whose M-norm falls below `drop` times what it was
 /// are removed: returns how many columns are left (they stand first). *Collective*.
 int orthonormalise(Mat M, const ConstTallRef& against, TallRef x, double drop = 1e-10);
+
+/// values.row(i) is added to row numbers[i] (global) of a tall matrix of which this rank owns `owned` rows; returns the
+/// owned rows. *Collective*.
+Tall accumulate(MPI_Comm comm, std::span<const std::int64_t> numbers, const ConstTallRef& values, int owned);
 
 }  // namespace ritz::petsc

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "ritz/petsc/check.hpp"
-#include "ritz/petsc/preconditioner.hpp"
+#include "ritz/petsc/handle.hpp"
 
 namespace ritz::petsc {
 namespace {

@@ -10,7 +10,6 @@
 #include "ritz/petsc/handle.hpp"
 #include "ritz/petsc/multigrid.hpp"
 #include "ritz/petsc/mumps.hpp"
-#include "ritz/petsc/preconditioner.hpp"
 
 namespace ritz::petsc {
 namespace {

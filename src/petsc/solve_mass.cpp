@@ -6,7 +6,6 @@
 #include "ritz/base/shown.hpp"
 #include "ritz/petsc/check.hpp"
 #include "ritz/petsc/handle.hpp"
-#include "ritz/petsc/preconditioner.hpp"
 
 namespace ritz::petsc {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "ritz/petsc/check.hpp"
+#include "ritz/petsc/dense.hpp"
 #include "ritz/petsc/handle.hpp"
-#include "ritz/petsc/symmetric_eigen.hpp"
 
 namespace ritz::stages {
 namespace {

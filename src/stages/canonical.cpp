@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "ritz/petsc/dense.hpp"
 #include "ritz/petsc/handle.hpp"
-#include "ritz/petsc/svd.hpp"
 
 namespace ritz::stages {
 namespace {

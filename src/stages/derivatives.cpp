@@ -7,7 +7,7 @@
 #include "ritz/fem/mass.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/petsc/check.hpp"
-#include "ritz/petsc/symmetric_eigen.hpp"
+#include "ritz/petsc/dense.hpp"
 #include "ritz/stages/each_cell.hpp"
 #include "ritz/stages/rayleigh_ritz.hpp"
 

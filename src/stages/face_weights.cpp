@@ -1,7 +1,7 @@
 #include "ritz/stages/face_weights.hpp"
 
 #include "ritz/fem/face.hpp"
-#include "ritz/petsc/accumulate.hpp"
+#include "ritz/petsc/multivector.hpp"
 
 namespace ritz::stages {
 

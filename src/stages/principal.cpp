@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "ritz/petsc/dense.hpp"
 #include "ritz/petsc/handle.hpp"
-#include "ritz/petsc/svd.hpp"
 
 namespace ritz::stages {
 namespace {

@@ -3,8 +3,8 @@
 #include <limits>
 
 #include "ritz/petsc/check.hpp"
+#include "ritz/petsc/dense.hpp"
 #include "ritz/petsc/handle.hpp"
-#include "ritz/petsc/symmetric_eigen.hpp"
 
 namespace ritz::stages {
 

@@ -5,7 +5,7 @@
 #include "ritz/fem/strain.hpp"
 #include "ritz/mesh/dofs.hpp"
 #include "ritz/parallel/comm.hpp"
-#include "ritz/petsc/gram.hpp"
+#include "ritz/petsc/dense.hpp"
 #include "ritz/stages/each_cell.hpp"
 
 namespace ritz::stages {

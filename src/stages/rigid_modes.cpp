@@ -3,7 +3,7 @@
 #include <Eigen/QR>
 
 #include "ritz/parallel/comm.hpp"
-#include "ritz/petsc/svd.hpp"
+#include "ritz/petsc/dense.hpp"
 
 namespace ritz::stages {
 namespace {

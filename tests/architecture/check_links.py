@@ -33,7 +33,7 @@ def check(binaries, archives):
     if any(re.search(r"libhdf5(_serial)?\.so", library) for library in reduce) and \
             any("libhdf5_openmpi" in library for library in reduce):
         yield "ritz-reduce is linked with both flavours of HDF5"
-    for name in ("base", "fem", "model", "runtime"):
+    for name in ("base", "fem", "model", "runtime", "readers"):
         for library in archives.glob(f"libritz_{name}.a"):
             for symbol in wanted_symbols(library):
                 if OUTSIDE_SYMBOL.match(symbol):

@@ -30,7 +30,7 @@ def arguments(words, keyword):
     if keyword not in words:
         return []
     rest = words[words.index(keyword) + 1:]
-    ends = [i for i, word in enumerate(rest) if word in ("INSTALLED", "FOLDER", "ONLY", "WITHOUT", "USES", "LIBRARIES")]
+    ends = [i for i, word in enumerate(rest) if word in ("INSTALLED", "FOLDER", "USES", "LIBRARIES")]
     return rest[:ends[0]] if ends else rest
 
 

@@ -9,7 +9,7 @@
 #include "ritz/format/parts.hpp"
 #include "support/nonlinear_sample_model.hpp"
 #ifdef RITZ_FUZZ_MESHES
-#include "mesh/reader_fixture.hpp"
+#include "readers/fixture.hpp"
 #endif
 
 namespace {
@@ -64,7 +64,7 @@ void put_models(const std::filesystem::path& folder) {
 
 #ifdef RITZ_FUZZ_MESHES
 void put_meshes(const std::filesystem::path& folder) {
-  for (const auto& [label, name, bytes] : ritz::mesh::testing::good_files()) {
+  for (const auto& [label, name, bytes] : ritz::readers::testing::good_files()) {
     put(folder / name.substr(name.rfind('.') + 1) / label, bytes);
   }
 }

@@ -1,5 +1,5 @@
 // Which cells share a face: also across types of cells; and which cannot be.
-#include "ritz/mesh/match_faces.hpp"
+#include "ritz/mesh/topology.hpp"
 
 #include <gmock/gmock.h>
 

@@ -10,17 +10,18 @@ namespace {
 
 using namespace test;
 
-constexpr PetscInt n = 60;
+constexpr PetscInt masses = 60;
 constexpr int wanted = 6;
 
 class Eigensolver : public testing::Test {
  protected:
-  Matrix K = tridiagonal(n, 2, -1), M = tridiagonal(n, 1, 0);
-  const Tall none = Tall(my_rows(n).count, 0);
+  Matrix K = tridiagonal(masses, 2, -1), M = tridiagonal(masses, 1, 0);
+  const Tall none = Tall(my_rows(masses).count, 0);
 
   void check_pairs(const EigenPairs& pairs, int from, double tolerance) const {
     ASSERT_EQ(pairs.values.size(), wanted);
-    for (int j = 0; j < wanted; ++j) EXPECT_NEAR(pairs.values[j] / chain_eigenvalue(n, from + j), 1, tolerance) << j;
+    for (int j = 0; j < wanted; ++j)
+      EXPECT_NEAR(pairs.values[j] / chain_eigenvalue(masses, from + j), 1, tolerance) << j;
     const Tall residual = multiply(K, pairs.vectors) - pairs.vectors * pairs.values.asDiagonal();
     EXPECT_LE(column_norms(world, residual).maxCoeff(), 10 * tolerance);
   }

@@ -12,13 +12,13 @@ namespace {
 
 using namespace test;
 
-constexpr PetscInt n = 300;
+constexpr PetscInt unknowns = 300;
 
 class MultigridOfAChain : public testing::Test {
  protected:
-  Matrix K = tridiagonal(n, 2.001, -1);
-  Multigrid cycle{K, Tall::Ones(my_rows(n).count, 1), "test_"};
-  Tall x = my_part(whole_random(n, 8, 1));
+  Matrix K = tridiagonal(unknowns, 2.001, -1);
+  Multigrid cycle{K, Tall::Ones(my_rows(unknowns).count, 1), "test_"};
+  Tall x = my_part(whole_random(unknowns, 8, 1));
 
   Tall cycled(const Tall& r) const {
     Tall z(r.rows(), r.cols());

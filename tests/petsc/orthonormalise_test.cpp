@@ -10,12 +10,12 @@ namespace {
 
 using namespace test;
 
-constexpr PetscInt n = 40;
+constexpr PetscInt height = 40;
 
 class Orthonormalise : public testing::Test {
  protected:
-  Matrix M = tridiagonal(n, 4, 1);
-  const Tall none = Tall(my_rows(n).count, 0);
+  Matrix M = tridiagonal(height, 4, 1);
+  const Tall none = Tall(my_rows(height).count, 0);
 
   double error(const Tall& u) const {
     return (inner(world, u, multiply(M, u)) - Eigen::MatrixXd::Identity(u.cols(), u.cols())).cwiseAbs().maxCoeff();
@@ -30,7 +30,7 @@ class Orthonormalise : public testing::Test {
 };
 
 TEST_F(Orthonormalise, KeepsTheSpanOfAFullSet) {
-  const Tall x = my_part(whole_random(n, 7, 1));
+  const Tall x = my_part(whole_random(height, 7, 1));
   Tall u = x;
   ASSERT_EQ(orthonormalise(M, none, u), 7);
   EXPECT_LE(error(u), 1e-14);
@@ -38,7 +38,7 @@ TEST_F(Orthonormalise, KeepsTheSpanOfAFullSet) {
 }
 
 TEST_F(Orthonormalise, RevealsTheRank) {
-  const Eigen::MatrixXd basis = whole_random(n, 4, 2);
+  const Eigen::MatrixXd basis = whole_random(height, 4, 2);
   const Tall x = my_part(basis * whole_random(4, 9, 3));
   Tall u = x;
   ASSERT_EQ(orthonormalise(M, none, u), 4);
@@ -47,7 +47,7 @@ TEST_F(Orthonormalise, RevealsTheRank) {
 }
 
 TEST_F(Orthonormalise, DropsColumnsOfZeros) {
-  Tall u = my_part(whole_random(n, 5, 4));
+  Tall u = my_part(whole_random(height, 5, 4));
   u.col(1).setZero();
   u.col(4).setZero();
   ASSERT_EQ(orthonormalise(M, none, u), 3);
@@ -60,7 +60,7 @@ TEST_F(Orthonormalise, DropsColumnsOfZeros) {
 
 TEST_F(Orthonormalise, DoesNotMindTinyAndHugeColumns) {
   for (const double scale : {1e-140, 1e-20, 1.0, 1e20, 1e140}) {
-    const Tall x = my_part(scale * whole_random(n, 5, 5));
+    const Tall x = my_part(scale * whole_random(height, 5, 5));
     Tall u = x;
     ASSERT_EQ(orthonormalise(M, none, u), 5) << scale;
     EXPECT_LE(error(u), 1e-13) << scale;
@@ -68,7 +68,7 @@ TEST_F(Orthonormalise, DoesNotMindTinyAndHugeColumns) {
 }
 
 TEST_F(Orthonormalise, DoesNotMindColumnsOfUnlikeScale) {
-  Eigen::MatrixXd x = whole_random(n, 5, 6);
+  Eigen::MatrixXd x = whole_random(height, 5, 6);
   for (int j = 0; j < 5; ++j) x.col(j) *= std::pow(10.0, 30 * (j - 2));
   Tall u = my_part(x);
   ASSERT_EQ(orthonormalise(M, none, u), 5);
@@ -78,7 +78,7 @@ TEST_F(Orthonormalise, DoesNotMindColumnsOfUnlikeScale) {
 
 TEST_F(Orthonormalise, SeparatesNearlyParallelColumns) {
   for (const double apart : {1e-3, 1e-5}) {
-    Eigen::MatrixXd x = whole_random(n, 3, 7);
+    Eigen::MatrixXd x = whole_random(height, 3, 7);
     x.col(1) = x.col(0) + apart * x.col(1);
     Tall u = my_part(x);
     ASSERT_EQ(orthonormalise(M, none, u), 3) << apart;
@@ -87,9 +87,9 @@ TEST_F(Orthonormalise, SeparatesNearlyParallelColumns) {
 }
 
 TEST_F(Orthonormalise, StandsAcrossAnEarlierSet) {
-  Tall before = my_part(whole_random(n, 6, 8));
+  Tall before = my_part(whole_random(height, 6, 8));
   ASSERT_EQ(orthonormalise(M, none, before), 6);
-  const Tall x = my_part(whole_random(n, 4, 9));
+  const Tall x = my_part(whole_random(height, 4, 9));
   Tall u = x;
   ASSERT_EQ(orthonormalise(M, before, u), 4);
   Tall both(x.rows(), 10);
@@ -99,12 +99,12 @@ TEST_F(Orthonormalise, StandsAcrossAnEarlierSet) {
 }
 
 TEST_F(Orthonormalise, FindsNothingNewInsideAnEarlierSet) {
-  Tall before = my_part(whole_random(n, 6, 10));
+  Tall before = my_part(whole_random(height, 6, 10));
   ASSERT_EQ(orthonormalise(M, none, before), 6);
   Tall inside = before * whole_random(6, 3, 11);
   EXPECT_EQ(orthonormalise(M, before, inside), 0);
   Tall mixed(before.rows(), 4);
-  mixed << before * whole_random(6, 3, 12), my_part(whole_random(n, 1, 13));
+  mixed << before * whole_random(6, 3, 12), my_part(whole_random(height, 1, 13));
   ASSERT_EQ(orthonormalise(M, before, mixed), 1);
   EXPECT_LE(error(mixed.leftCols(1)), 1e-13);
   EXPECT_LE(inner(world, before, multiply(M, mixed.leftCols(1))).cwiseAbs().maxCoeff(), 1e-12);

@@ -13,7 +13,7 @@ namespace {
 
 using namespace test;
 
-constexpr PetscInt n = 9;
+constexpr PetscInt order_of_matrix = 9;
 
 /// MatrixMarket: "array" lists all numbers by columns, "coordinate" row, column, value; symmetric ones half of them.
 Eigen::MatrixXd read_matrix_market(const std::filesystem::path& path) {
@@ -40,20 +40,21 @@ Eigen::MatrixXd read_matrix_market(const std::filesystem::path& path) {
 
 /// The reverse of the old order, in shares that are not those of the old rows.
 std::vector<std::int64_t> reversed() {
-  const PetscInt ranks = parallel::size(world), first = n * parallel::rank(world) / ranks;
+  const PetscInt ranks = parallel::size(world), first = order_of_matrix * parallel::rank(world) / ranks;
   std::vector<std::int64_t> order;
-  for (PetscInt i = first; i < n * (parallel::rank(world) + 1) / ranks; ++i) order.push_back(n - 1 - i);
+  for (PetscInt i = first; i < order_of_matrix * (parallel::rank(world) + 1) / ranks; ++i)
+    order.push_back(order_of_matrix - 1 - i);
   return order;
 }
 
 /// K with numbers that tell its entries apart.
 Matrix labelled(Eigen::MatrixXd& whole) {
-  Matrix A = tridiagonal(n, 2, -1);
-  const Share rows = my_rows(n);
+  Matrix A = tridiagonal(order_of_matrix, 2, -1);
+  const Share rows = my_rows(order_of_matrix);
   const auto value = [](PetscInt i, PetscInt j) { return 1.0 / 3 + 100 * std::min(i, j) + std::max(i, j); };
-  whole.setZero(n, n);
-  for (PetscInt i = 0; i < n; ++i)
-    for (PetscInt j = std::max(0, i - 1); j <= std::min(n - 1, i + 1); ++j) {
+  whole.setZero(order_of_matrix, order_of_matrix);
+  for (PetscInt i = 0; i < order_of_matrix; ++i)
+    for (PetscInt j = std::max(0, i - 1); j <= std::min(order_of_matrix - 1, i + 1); ++j) {
       whole(i, j) = value(i, j);
       if (i >= rows.first && i < rows.first + rows.count) MatSetValue(A, i, j, value(i, j), INSERT_VALUES);
     }
@@ -68,16 +69,16 @@ TEST(WriteMatrix, SparseInAnotherOrder) {
   const Matrix A = labelled(whole);
   write_matrix(folder / "K.mtx", A, reversed(), MatrixFormat::matrixmarket);
   const auto read = read_matrix_market(folder / "K.mtx");
-  ASSERT_EQ(read.rows(), n);
+  ASSERT_EQ(read.rows(), order_of_matrix);
   EXPECT_LE((read - whole.reverse()).cwiseAbs().maxCoeff(), 1e-12 * whole.maxCoeff());
 }
 
 TEST(WriteMatrix, TallInAnotherOrder) {
   const ritz::test::SharedFolder folder;
-  const auto whole = whole_random(n, 4, 1);
+  const auto whole = whole_random(order_of_matrix, 4, 1);
   write_columns(folder / "U.mtx", world, my_part(whole), reversed(), MatrixFormat::matrixmarket);
   const auto read = read_matrix_market(folder / "U.mtx");
-  ASSERT_EQ(read.rows(), n);
+  ASSERT_EQ(read.rows(), order_of_matrix);
   ASSERT_EQ(read.cols(), 4);
   EXPECT_LE((read - whole.colwise().reverse()).cwiseAbs().maxCoeff(), 1e-14);
 }
@@ -95,10 +96,10 @@ TEST(WriteMatrix, BinaryComesBackThroughPetsc) {
   PetscInt first = 0, last = 0;
   MatGetOwnershipRange(back, &first, &last);
   for (PetscInt i = first; i < last; ++i)
-    for (PetscInt j = 0; j < n; ++j) {
+    for (PetscInt j = 0; j < order_of_matrix; ++j) {
       PetscScalar value = 0;
       MatGetValue(back, i, j, &value);
-      EXPECT_EQ(value, whole(n - 1 - i, n - 1 - j));
+      EXPECT_EQ(value, whole(order_of_matrix - 1 - i, order_of_matrix - 1 - j));
     }
 }
 

@@ -14,6 +14,7 @@ extern "C" {
 void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t items, std::size_t size);
 void* __libc_realloc(void* old, std::size_t size);
+void* __libc_memalign(std::size_t alignment, std::size_t size);
 
 void* malloc(std::size_t size) noexcept {
   ++count;
@@ -26,6 +27,10 @@ void* calloc(std::size_t items, std::size_t size) noexcept {
 void* realloc(void* old, std::size_t size) noexcept {
   ++count;
   return __libc_realloc(old, size);
+}
+void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
+  ++count;
+  return __libc_memalign(alignment, size);
 }
 }
 #endif

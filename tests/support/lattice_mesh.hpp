@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "ritz/mesh/file_mesh.hpp"
+#include "ritz/mesh/mesh.hpp"
 
 namespace ritz::test {
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "ritz/mesh/file_mesh.hpp"
+#include "ritz/mesh/mesh.hpp"
 
 namespace ritz::test {
 

@@ -1,8 +1,8 @@
 #include "support/statics.hpp"
 
 #include "ritz/fem/face.hpp"
-#include "ritz/petsc/accumulate.hpp"
 #include "ritz/petsc/factorization.hpp"
+#include "ritz/petsc/multivector.hpp"
 
 namespace ritz::test {
 

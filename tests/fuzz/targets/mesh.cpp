@@ -6,12 +6,12 @@
 
 #include "fuzz/target.hpp"
 #include "ritz/base/error.hpp"
-#include "ritz/mesh/file_mesh.hpp"
+#include "ritz/readers/file_mesh.hpp"
 
 namespace ritz::fuzz {
 namespace {
 
-using mesh::Index;
+using readers::Index;
 
 void require(bool holds, const char* what) {
   if (!holds) finding(what);
@@ -21,7 +21,7 @@ bool in_range(const std::vector<Index>& numbers, std::size_t count) {
   return std::all_of(numbers.begin(), numbers.end(), [&](Index i) { return i >= 0 && i < static_cast<Index>(count); });
 }
 
-void check_cells(const mesh::FileMesh& mesh) {
+void check_cells(const readers::FileMesh& mesh) {
   const auto cells = mesh.cell_types.size();
   require(cells > 0, "a mesh without cells");
   require(mesh.cell_ids.size() == cells && mesh.cell_regions.size() == cells, "a property of cells has another length");
@@ -35,13 +35,13 @@ void check_cells(const mesh::FileMesh& mesh) {
             "a cell with a region that there is not");
 }
 
-void check_points(const mesh::FileMesh& mesh) {
+void check_points(const readers::FileMesh& mesh) {
   require(mesh.vertex_ids.size() == mesh.points.size(), "as many numbers as points");
   for (const auto& point : mesh.points)
     for (const double x : point) require(std::isfinite(x), "a coordinate that is not finite");
 }
 
-void check_sets(const mesh::FileMesh& mesh) {
+void check_sets(const readers::FileMesh& mesh) {
   for (const auto& set : mesh.sets) {
     require(in_range(set.vertices, mesh.points.size()), "a set with a vertex that there is not");
     require(std::adjacent_find(set.vertices.begin(), set.vertices.end(), std::greater_equal<>()) == set.vertices.end(),
@@ -65,12 +65,12 @@ std::string offered(const std::string& refusal) {
   return word.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") == word.npos ? word : "";
 }
 
-mesh::FileMesh read(const std::filesystem::path& path) {
+readers::FileMesh read(const std::filesystem::path& path) {
   constexpr std::size_t most = 8;
-  mesh::Ignored ignored;
+  readers::Ignored ignored;
   for (;;) {
     try {
-      return mesh::read_file(path, ignored);
+      return readers::read_file(path, ignored);
     } catch (const InputError& error) {
       const auto word = offered(error.what());
       if (word.empty() || ignored.size() == most) throw;

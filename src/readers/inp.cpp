@@ -1,0 +1,33 @@
+#include "ritz/readers/formats.hpp"
+
+#include <algorithm>
+
+#include "ritz/readers/inp_model.hpp"
+
+namespace ritz::readers {
+
+std::string needed(const Deck& deck, const Keyword& keyword, std::string_view parameter) {
+  const auto value = keyword.value(parameter);
+  if (!value) deck.fail(keyword.place, "*" + keyword.title + " needs " + std::string(parameter) + "=");
+  return *value;
+}
+
+void leave_out(const Sources& sources, Place place, const std::vector<std::string>& words, const std::string& what,
+               InpModel& model) {
+  const bool said = model.words.contains(words.front());
+  model.words.insert(words.begin(), words.end());
+  if (said) return;
+  const auto ignored = std::find_first_of(words.begin(), words.end(), model.ignored.begin(), model.ignored.end());
+  leave_out(sources, place, ignored != words.end() ? *ignored : words.front(), what, model.ignored, model.mesh);
+}
+
+FileMesh read_inp(Sources& sources, unsigned file, const Ignored& ignored) {
+  Deck deck(sources, file);
+  InpModel model;
+  model.ignored = ignored;
+  while (const auto keyword = deck.next_keyword()) inp_handler(keyword->name)(deck, *keyword, model);
+  choose_supports(sources, model);
+  return resolve_inp(sources, std::move(model));
+}
+
+}  // namespace ritz::readers

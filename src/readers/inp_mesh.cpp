@@ -1,0 +1,233 @@
+#include "ritz/readers/inp_model.hpp"
+
+#include <algorithm>
+
+namespace ritz::readers {
+
+namespace {
+
+struct Known {
+  std::string_view name;
+  Shape shape;
+};
+
+constexpr Known lower[] = {
+    {"CPS3", Shape::tri3},   {"CPE3", Shape::tri3},    {"CPE3H", Shape::tri3},    {"CAX3", Shape::tri3},
+    {"S3", Shape::tri3},     {"S3R", Shape::tri3},     {"S3RS", Shape::tri3},     {"STRI3", Shape::tri3},
+    {"M3D3", Shape::tri3},   {"SFM3D3", Shape::tri3},  {"R3D3", Shape::tri3},     {"CPS6", Shape::tri6},
+    {"CPE6", Shape::tri6},   {"CAX6", Shape::tri6},    {"S6", Shape::tri6},       {"STRI65", Shape::tri6},
+    {"M3D6", Shape::tri6},   {"SFM3D6", Shape::tri6},  {"CPS4", Shape::quad4},    {"CPE4", Shape::quad4},
+    {"CAX4", Shape::quad4},  {"S4", Shape::quad4},     {"CPS4R", Shape::quad4},   {"CPE4R", Shape::quad4},
+    {"CAX4R", Shape::quad4}, {"CPS4I", Shape::quad4},  {"CPE4I", Shape::quad4},   {"CPE4H", Shape::quad4},
+    {"S4R", Shape::quad4},   {"S4RS", Shape::quad4},   {"S4R5", Shape::quad4},    {"M3D4", Shape::quad4},
+    {"M3D4R", Shape::quad4}, {"SFM3D4", Shape::quad4}, {"SFM3D4R", Shape::quad4}, {"R3D4", Shape::quad4},
+    {"T3D2", Shape::line2},  {"B31", Shape::line2},    {"B31R", Shape::line2},    {"T2D2", Shape::line2},
+    {"B21", Shape::line2},   {"B33", Shape::line2},    {"T3D3", Shape::line3},    {"B32", Shape::line3},
+    {"B32R", Shape::line3},  {"T2D3", Shape::line3}};
+
+struct Suffix {
+  std::string_view name;
+  std::string_view formulation;
+};
+
+// T adds temperatures to the same displacements.
+constexpr Suffix of_tetrahedra[] = {{"T", ""},
+                                    {"H", "hybrid"},
+                                    {"HT", "hybrid"},
+                                    {"M", "modified"},
+                                    {"MT", "modified"},
+                                    {"MH", "modified and hybrid"},
+                                    {"MHT", "modified and hybrid"},
+                                    {"HS", "hybrid, improved stresses"},
+                                    {"I", "improved stresses"}};
+
+constexpr Suffix of_hexahedra[] = {{"T", ""},
+                                   {"R", "reduced integration"},
+                                   {"RT", "reduced integration"},
+                                   {"RH", "reduced integration, hybrid"},
+                                   {"RHT", "reduced integration, hybrid"},
+                                   {"H", "hybrid"},
+                                   {"HT", "hybrid"},
+                                   {"I", "incompatible modes"},
+                                   {"IH", "incompatible modes, hybrid"},
+                                   {"S", "improved stresses"},
+                                   {"HS", "hybrid, improved stresses"}};
+
+struct Solid {
+  std::string_view name;
+  Shape shape;
+  InpReading other;  // formulations
+  std::span<const Suffix> suffixes;
+};
+
+// A quadratic tetrahedron bends well in any formulation; a hexahedron with reduced integration is another thing.
+constexpr Solid solids[] = {{"C3D4", Shape::tet4, InpReading::noted, of_tetrahedra},
+                            {"C3D10", Shape::tet10, InpReading::noted, of_tetrahedra},
+                            {"C3D8", Shape::hex8, InpReading::on_your_word, of_hexahedra}};
+
+struct Family {
+  std::string_view begin;
+  std::string_view keyword;
+};
+
+constexpr Family families[] = {{"MASS", "MASS"},     {"ROTARYI", "ROTARYINERTIA"},
+                               {"SPRING", "SPRING"}, {"DASHPOT", "DASHPOT"},
+                               {"GAP", "GAP"},       {"CONN", "CONNECTORSECTION"}};
+
+}  // namespace
+
+InpType inp_type(const std::string& name) {
+  for (const auto& solid : solids) {
+    if (!name.starts_with(solid.name)) continue;
+    const std::string plain(solid.name), end = name.substr(solid.name.size());
+    if (end.empty()) return {InpReading::same, solid.shape, plain, {}};
+    for (const auto& suffix : solid.suffixes)
+      if (suffix.name == end)
+        return {suffix.formulation.empty() ? InpReading::same : solid.other, solid.shape, plain,
+                std::string(suffix.formulation)};
+  }
+  for (const auto& type : lower)
+    if (type.name == name) return {InpReading::same, type.shape, name, {}};
+  return {InpReading::none, Shape::point, {}, {}};
+}
+
+std::vector<std::string> words_of_type(const std::string& name) {
+  for (const auto& [begin, keyword] : families)
+    if (name.starts_with(begin)) return {std::string(keyword), name};
+  return {name};
+}
+
+namespace {
+
+// Data lines in a file of their own.
+void refuse_input(const Deck& deck, const Keyword& keyword) {
+  if (keyword.has("INPUT"))
+    deck.fail(keyword.place, "INPUT= of *" + keyword.title +
+                                 " is not supported; write *INCLUDE, INPUT=... in the line after the keyword");
+}
+
+// The user's word that another formulation is read as ritz's own.
+void accept(const Deck& deck, Place place, const std::string& name, const InpType& type, InpModel& model) {
+  const auto what = "element type " + name + " (" + type.formulation + ") is not what ritz has: " + type.plain +
+                    ", the displacement element of 2 x 2 x 2 points, much stiffer in bending than one of reduced "
+                    "integration or incompatible modes";
+  const auto& ignored = model.ignored;
+  if (std::find(ignored.begin(), ignored.end(), name) == ignored.end())
+    deck.fail(place, what + "; '-ignore " + name + "' reads it as " + type.plain +
+                         ", and the result is then of another model");
+  if (model.words.insert(name).second)
+    model.mesh.notes.push_back(located(deck.sources(), place) + what + "; it is read as " + type.plain + " (-ignore " +
+                               name + ")");
+}
+
+void note_formulation(const Deck& deck, Place place, const std::string& name, const InpType& type, InpModel& model) {
+  if (model.words.insert("TYPE=" + name).second)
+    model.mesh.notes.push_back(located(deck.sources(), place) + "element type " + name + " (" + type.formulation +
+                               ") is read as " + type.plain + ", the plain displacement element");
+}
+
+// Nothing where the elements are left out.
+std::optional<Shape> shape_of(const Deck& deck, const Keyword& keyword, InpModel& model) {
+  const auto name = upper(needed(deck, keyword, "TYPE"));
+  const auto type = inp_type(name);
+  switch (type.reading) {
+    case InpReading::same: break;
+    case InpReading::noted: note_formulation(deck, keyword.place, name, type, model); break;
+    case InpReading::on_your_word: accept(deck, keyword.place, name, type, model); break;
+    case InpReading::none:
+      leave_out(deck.sources(), keyword.place, words_of_type(name),
+                "element type " + name + " is not supported; ritz has C3D4, C3D10 and C3D8", model);
+      return std::nullopt;
+  }
+  model.element_types.emplace_back(static_cast<Index>(model.mesh.shapes.size()), name);
+  return type.shape;
+}
+
+// The numbers of an element; they go on in the next line after a comma at the end of one.
+void read_vertices(Deck& deck, Line line, Cursor cursor, Index id, std::span<Index> vertices) {
+  for (Index& vertex : vertices) {
+    while (cursor.line_ends()) {
+      const auto more = line.text.ends_with(',') ? deck.next_data() : std::nullopt;
+      if (!more) {
+        deck.fail(line.place, "element " + std::to_string(id) + " has too few vertices; its type needs " +
+                                  std::to_string(vertices.size()));
+      }
+      line = *more;
+      cursor = deck.cursor(line);
+    }
+    vertex = cursor.integer("a vertex number");
+  }
+  cursor.end_line();
+}
+
+// The set that a keyword's parameter names, if it has one.
+InpSet* parameter_set(InpSets& sets, const Keyword& keyword, std::string_view parameter) {
+  const auto name = keyword.value(parameter);
+  return name ? &sets.sets[sets.made(*name)] : nullptr;
+}
+
+// "number, x, y, z" and perhaps a normal: a coordinate that is blank or absent is 0.
+std::array<double, 6> read_coordinates(const Deck& deck, const Line& rest) {
+  std::array<double, 6> values{};
+  std::size_t count = 0;
+  for (const auto& field : fields(rest)) {
+    auto cursor = deck.cursor(field);
+    if (cursor.line_ends()) ++count;
+    while (!cursor.line_ends()) {
+      if (count >= values.size()) cursor.end_line();
+      values[count++] = cursor.real("a coordinate");
+    }
+  }
+  return values;
+}
+
+Line after_number(const Line& line, const Cursor& cursor) {
+  const auto read = cursor.place().offset - line.place.offset;
+  Line rest{.place = cursor.place(), .text = line.text.substr(read)};
+  if (const auto comma = rest.text.find_first_not_of(" \t"); comma != rest.text.npos && rest.text[comma] == ',') {
+    rest.text.remove_prefix(comma + 1);
+    rest.place.offset += comma + 1;
+  }
+  return rest;
+}
+
+}  // namespace
+
+const std::string& element_type(const InpModel& model, Index cell) {
+  const auto begins_later = [](Index c, const auto& block) { return c < block.first; };
+  const auto& types = model.element_types;
+  return std::prev(std::upper_bound(types.begin(), types.end(), cell, begins_later))->second;
+}
+
+void read_inp_node(Deck& deck, const Keyword& keyword, InpModel& model) {
+  refuse_input(deck, keyword);
+  if (upper(keyword.value("SYSTEM").value_or("R")) != "R") {
+    deck.fail(keyword.place, "only rectangular coordinates (SYSTEM=R) are supported");
+  }
+  auto* const set = parameter_set(model.node_sets, keyword, "NSET");
+  while (const auto line = deck.next_data()) {
+    auto cursor = deck.cursor(*line);
+    const Index id = cursor.integer("a vertex number");
+    const auto [x, y, z, nx, ny, nz] = read_coordinates(deck, after_number(*line, cursor));
+    if (set) set->positions.push_back(static_cast<Index>(model.mesh.points.size()));
+    add_vertex(model.mesh, id, {x, y, z}, line->place);
+  }
+}
+
+void read_inp_element(Deck& deck, const Keyword& keyword, InpModel& model) {
+  refuse_input(deck, keyword);
+  auto* const set = parameter_set(model.element_sets, keyword, "ELSET");
+  const auto shape = shape_of(deck, keyword, model);
+  if (!shape) return;
+  std::array<Index, fem::max_cell_vertices> storage;
+  const auto vertices = std::span(storage).first(static_cast<std::size_t>(traits(*shape).vertices));
+  while (const auto line = deck.next_data()) {
+    auto cursor = deck.cursor(*line);
+    const Index id = cursor.integer("an element number");
+    read_vertices(deck, *line, cursor, id, vertices);
+    if (set) set->positions.push_back(static_cast<Index>(model.mesh.shapes.size()));
+    add_cell(model.mesh, *shape, id, vertices, line->place);
+  }
+}
+
+}  // namespace ritz::readers
