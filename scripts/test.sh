@@ -9,7 +9,7 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 preset=default
-selection=()
+selection=() targets=()
 definitions=(-DRITZ_WERROR=ON)
 while (($#)); do
   case $1 in
@@ -17,7 +17,7 @@ while (($#)); do
       preset=${2:-}
       [[ $preset =~ ^(default|address|runtime-only)$ ]] || fail "--preset wants default, address or runtime-only."
       shift ;;
-    --quick) selection=(--label-exclude thorough) ;;
+    --quick) selection=(--label-exclude thorough) targets=(--target quick) ;;
     -D*) definitions+=("$1") ;;
     *) fail "test.sh knows --preset NAME, --quick and -DNAME=VALUE, not '$1'." ;;
   esac
@@ -29,7 +29,7 @@ install_packages
 prepare_environment
 tree=build/$preset
 quietly cmake --preset "$preset" "${definitions[@]}"
-build "$tree"
+build "$tree" "${targets[@]}"
 
 rm -f "$tree/ctest.xml"
 status=0

@@ -13,7 +13,7 @@
 namespace ritz::stages {
 namespace {
 
-constexpr std::uint64_t start_stream = 2000;
+constexpr std::uint64_t lobpcg_start_stream = 2000;
 constexpr int panel = petsc::panel_width;
 
 /// A multigrid cycle and the matrix that it is for.
@@ -40,7 +40,7 @@ petsc::Tall start_block(const EigenProblem& problem, const petsc::Multigrid& cyc
   petsc::Tall start(problem.rigid.rows(), known.cols() + fresh);
   start.leftCols(known.cols()) = known;
   cycle.apply(petsc::multiply(problem.body.matrices.mass,
-                              fixed_vectors(problem.body.mesh, problem.body.dofs, fresh, start_stream)),
+                              fixed_vectors(problem.body.mesh, problem.body.dofs, fresh, lobpcg_start_stream)),
               start.rightCols(fresh));
   return start;
 }

@@ -167,21 +167,21 @@ TEST(Materials, MustBeOfOneRegion) {
   refused({"a b"}, {"-material_a_c_young", "2"}, "'a_c'", "'a b'");
 }
 
-void refuses(const std::vector<std::string>& words, const std::string& first, const std::string& second) {
+void materials_refuse(const std::vector<std::string>& words, const std::string& first, const std::string& second) {
   EXPECT_THAT([&] { materials(words); }, ThrowsMessage<InputError>(AllOf(HasSubstr(first), HasSubstr(second))));
 }
 
 TEST(Materials, MustBeComplete) {
-  refuses({}, "'rubber'", "-material_rubber_young");
-  refuses({"-material_young", "1e6", "-material_poisson", ".3"}, "'rubber'", "-material_density");
+  materials_refuse({}, "'rubber'", "-material_rubber_young");
+  materials_refuse({"-material_young", "1e6", "-material_poisson", ".3"}, "'rubber'", "-material_density");
 }
 
 TEST(Materials, MustBePossible) {
-  refuses(with(general, {"-material_rubber_young", "0"}), "'rubber'", "positive");
-  refuses(with(general, {"-material_young", "-1"}), "Young", "positive");
-  refuses(with(general, {"-material_poisson", ".5"}), "Poisson", "below 0.5");
-  refuses(with(general, {"-material_poisson", "-1"}), "Poisson", "above -1");
-  refuses(with(general, {"-material_steel_density", "0"}), "'Steel'", "positive");
+  materials_refuse(with(general, {"-material_rubber_young", "0"}), "'rubber'", "positive");
+  materials_refuse(with(general, {"-material_young", "-1"}), "Young", "positive");
+  materials_refuse(with(general, {"-material_poisson", ".5"}), "Poisson", "below 0.5");
+  materials_refuse(with(general, {"-material_poisson", "-1"}), "Poisson", "above -1");
+  materials_refuse(with(general, {"-material_steel_density", "0"}), "'Steel'", "positive");
 }
 
 TEST(Materials, MustBeOfARegionThatExists) {
@@ -190,7 +190,7 @@ TEST(Materials, MustBeOfARegionThatExists) {
         constants(with_box({}), {{"left end", std::nullopt}});
       },
       ThrowsMessage<InputError>(HasSubstr("-material_left_end_young")));
-  refuses(with(general, {"-material_ruber_young", "1"}), "'ruber'", "'rubber'");
+  materials_refuse(with(general, {"-material_ruber_young", "1"}), "'ruber'", "'rubber'");
 }
 
 std::vector<std::string> laws(const std::vector<std::string>& more) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "ritz/base/random.hpp"
@@ -18,6 +19,20 @@ Matrix<m, n> random_matrix(std::uint64_t stream) {
   return A;
 }
 
+/// The matrix as one of no fixed size: what a test does with it is compiled once for all cells.
+template <int m, int n>
+Eigen::MatrixXd any_size(const Matrix<m, n>& A) {
+  return Eigen::Map<const Eigen::MatrixXd>(A.data(), m, n);
+}
+
+/// And back: the coordinates of the vertices of an E.
+template <class E>
+Coordinates<E> coordinates(const Eigen::MatrixXd& x) {
+  Coordinates<E> fixed;
+  std::copy_n(x.data(), fixed.size(), fixed.data());
+  return fixed;
+}
+
 template <class E>
 Coordinates<E> reference_cell() {
   Coordinates<E> x;
@@ -26,11 +41,22 @@ Coordinates<E> reference_cell() {
 }
 
 /// Each vertex moved a little on its own, then all by one affine map: edges curved (Tet10), faces warped (Hex8).
+inline Eigen::MatrixXd curved(const Eigen::MatrixXd& x, const Eigen::MatrixXd& random, std::uint64_t seed) {
+  const Matrix<3, 3> A = 2 * Matrix<3, 3>::Identity() + 0.5 * random_matrix<3, 3>(3 * seed);
+  const Eigen::MatrixXd moved = x + 0.06 * random;
+  return (A * moved).colwise() + random_matrix<3, 1>(3 * seed + 2);
+}
+
 template <class E>
 Coordinates<E> curved_cell(std::uint64_t seed) {
-  const Matrix<3, 3> A = 2 * Matrix<3, 3>::Identity() + 0.5 * random_matrix<3, 3>(3 * seed);
-  const Coordinates<E> moved = reference_cell<E>() + 0.06 * random_matrix<3, E::vertices>(3 * seed + 1);
-  return (A * moved).colwise() + random_matrix<3, 1>(3 * seed + 2);
+  return coordinates<E>(
+      curved(any_size(reference_cell<E>()), any_size(random_matrix<3, E::vertices>(3 * seed + 1)), seed));
+}
+
+/// The cell moved by a linear map.
+template <class E>
+Coordinates<E> mapped(const Matrix<3, 3>& A, const Coordinates<E>& x) {
+  return coordinates<E>(A * any_size(x));
 }
 
 inline Coordinates<Tet10> straightened(Coordinates<Tet10> x) {
@@ -49,8 +75,15 @@ inline Matrix<3, 3> rotation() { return Eigen::AngleAxisd(1.1, Vector<3>(1, -2, 
 
 /// Coordinates that stay exact when 2^20 is added.
 template <class E>
-Coordinates<E> rounded(const Coordinates<E>& x) {
-  return (x * 0x1p20).array().round().matrix() * 0x1p-20;
+Coordinates<E> rounded(Coordinates<E> x) {
+  for (int k = 0; k < x.size(); ++k) x(k) = std::round(x(k) * 0x1p20) * 0x1p-20;
+  return x;
+}
+
+template <class E>
+Coordinates<E> far_away(Coordinates<E> x) {
+  for (int k = 0; k < x.size(); ++k) x(k) += 0x1p20;
+  return x;
 }
 
 /// Gauss-Legendre on [0, 1] by Newton's method, n points; independent of the rules under test.

@@ -1,6 +1,6 @@
-"""Builds ritz without its precomputation, installs it, and uses it from another project.
+"""Installs ritz from its build, and uses it from another project.
 
-    install_test.py SOURCE WORK      WORK is kept, so that a second run is quick
+    install_test.py SOURCE BUILD WORK [OPTION ...]      the options are those of the compiler that the build links with
 """
 import math
 import os
@@ -11,6 +11,7 @@ import sys
 from pathlib import Path
 
 PARALLEL = re.compile(r"mpi|petsc|slepc|metis|open-rte", re.IGNORECASE)
+SERIAL = {"ritz-run", "ritz-inspect"}
 LAYERS = {"base", "files", "fem", "model", "runtime", "format"}
 
 
@@ -32,14 +33,15 @@ def expect(true, message):
         sys.exit(message)
 
 
-def build_and_install(source, work, prefix):
-    build = work / "ritz"
-    run("cmake", "-S", source, "-B", build, "-DRITZ_PRECOMPUTE=OFF", "-DRITZ_TESTS=OFF", "-DRITZ_WERROR=ON",
-        "-DCMAKE_BUILD_TYPE=Debug", "-DCMAKE_CXX_FLAGS_DEBUG=-O0", "-DCMAKE_UNITY_BUILD=ON")
-    # What is installed is the same, in less time.
+def check_serial_configuration(source, work):
+    """Without its precomputation ritz asks for no MPI and no PETSc; what it then builds is what it builds with it."""
+    build = work / "serial"
+    run("cmake", "-S", source, "-B", build, "-DRITZ_PRECOMPUTE=OFF", "-DRITZ_TESTS=OFF")
     cache = (build / "CMakeCache.txt").read_text()
     expect(not re.search(r"^(PETSC|SLEPC|MPI_C)_FOUND", cache, re.MULTILINE), "a build without MPI looked for it")
-    run("cmake", "--build", build, "--parallel", "2")
+
+
+def install(build, prefix):
     shutil.rmtree(prefix, ignore_errors=True)
     run("cmake", "--install", build, "--prefix", prefix)
 
@@ -47,15 +49,17 @@ def build_and_install(source, work, prefix):
 def check_tree(prefix):
     include = prefix / "include" / "ritz"
     expect({path.name for path in include.iterdir()} == LAYERS, f"{include} holds {sorted(include.iterdir())}")
-    expect({path.name for path in (prefix / "bin").iterdir()} == {"ritz-run", "ritz-inspect"}, "other programs in bin")
+    programs = {path.name for path in (prefix / "bin").iterdir()}
+    expect(programs in (SERIAL, SERIAL | {"ritz-reduce", "ritz-full"}), f"bin holds {sorted(programs)}")
     for path in prefix.rglob("*.cmake"):
         expect(str(prefix.parent) not in path.read_text(), f"{path} names the folder it was built in")
 
 
-def use_from_outside(consumer, work, prefix, model):
+def use_from_outside(consumer, work, prefix, model, options):
     build = work / "consumer"
     shutil.rmtree(build, ignore_errors=True)
-    run("cmake", "-S", consumer, "-B", build, f"-DCMAKE_PREFIX_PATH={prefix}")
+    run("cmake", "-S", consumer, "-B", build, f"-DCMAKE_PREFIX_PATH={prefix}",
+        f"-DCMAKE_CXX_FLAGS={' '.join(options)}")
     run("cmake", "--build", build)
     played = float(run(build / "play", model))
     expect(abs(played - math.sin(3) / 6) < 1e-13, f"the consumer's motion is {played}, not sin(3)/6")
@@ -84,15 +88,16 @@ def check_refusal(work, prefix):
 
 
 def main():
-    source, work = map(Path, sys.argv[1:])
+    source, build, work = map(Path, sys.argv[1:4])
     work.mkdir(parents=True, exist_ok=True)
     prefix = work / "prefix"
-    build_and_install(source, work, prefix)
+    check_serial_configuration(source, work)
+    install(build, prefix)
     check_tree(prefix)
     model = work / "model.h5"
-    run(Path(os.environ["RITZ_BIN"]) / "sample_model", model)
-    build = use_from_outside(source / "tests" / "install" / "consumer", work, prefix, model)
-    check_links(prefix, build)
+    run(Path(os.environ["RITZ_BIN"]) / "write_sample_model", model)
+    consumer = use_from_outside(source / "tests" / "install" / "consumer", work, prefix, model, sys.argv[4:])
+    check_links(prefix, consumer)
     check_refusal(work, prefix)
     run(prefix / "bin" / "ritz-run", "--help")
     print("ritz installs, and another project runs on it")

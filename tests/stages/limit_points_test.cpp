@@ -17,8 +17,8 @@
 namespace ritz::test {
 namespace {
 
-constexpr double E = 1e5;
-constexpr fem::Material rubber = test::stvk(E, .3, 1000);
+constexpr double young = 1e5;
+constexpr fem::Material soft_rubber = test::stvk(young, .3, 1000);
 
 /// What statics that must fail say of it; `reached` is called after each step.
 NumericalError complaint(
@@ -45,11 +45,11 @@ struct Confined {
   FullRun run;
 
   Confined(double poisson, petsc::LinearSolver solver)
-      : modulus(E / 2 * (1 - poisson) / (1 + poisson) / (1 - 2 * poisson)),
+      : modulus(young / 2 * (1 - poisson) / (1 + poisson) / (1 - 2 * poisson)),
         run{problem(box("box:1,1,1/2,1,1/hex8"),
                     {fixed("xmin"), fixed("xmax", {0, 1, 1}), fixed("ymin", {0, 1, 0}), fixed("ymax", {0, 1, 0}),
                      fixed("zmin", {0, 0, 1}), fixed("zmax", {0, 0, 1})},
-                    {test::stvk(E, poisson, 1000)}),
+                    {test::stvk(young, poisson, 1000)}),
             solver} {}
 
   double limit() const { return modulus * 2 / (3 * std::sqrt(3)); }
@@ -88,7 +88,7 @@ TEST(FullStatics, NamesABifurcationBeforeTheLimitPoint) {
 
 // A column that is pressed stays straight until it may buckle, at π² EI/(4 L²), EI being what its deflection says.
 TEST(FullStatics, NamesABifurcation) {
-  FullRun run{problem(box("box:1,.1,.1/10,1,1/hex8"), {fixed("xmin")}, {rubber})};
+  FullRun run{problem(box("box:1,.1,.1/10,1,1/hex8"), {fixed("xmin")}, {soft_rubber})};
   const petsc::Tall across = end_traction(run.p, "xmax", {0, 0, 1});
   const double EI = 1 / (3 * work(run.p, across, solve(run.p, across)));
   const double critical = std::pow(std::numbers::pi / 2, 2) * EI;
@@ -100,7 +100,7 @@ TEST(FullStatics, NamesABifurcation) {
 // A Newton's method that may not iterate fails where nothing is critical: at rest, and bent by half the load.
 TEST(FullStatics, NamesNoLimitPointWhereNewtonFailsAlone) {
   for (const bool bent : {false, true}) {
-    FullRun run{problem(box("box:1,.15,.1/6,1,1/hex8"), {fixed("xmin")}, {rubber})};
+    FullRun run{problem(box("box:1,.15,.1/6,1,1/hex8"), {fixed("xmin")}, {soft_rubber})};
     const petsc::Tall force = end_traction(run.p, "xmax", {0, 2, 5});
     EXPECT_NO_THROW(run.statics(force, 2));
     const auto stop = [&] {

@@ -13,12 +13,12 @@ namespace {
 
 using petsc::Tall;
 
-struct Case {
+struct Expansion {
   const char* mesh;
   bool free, two;
 };
 
-class Taylor : public testing::TestWithParam<Case> {
+class Taylor : public testing::TestWithParam<Expansion> {
  protected:
   Reduced r = reduced(box_of(std::string("box:1,.4,.3/") + GetParam().mesh, GetParam().free, GetParam().two), 4);
   const Eigen::VectorXd p = Eigen::VectorXd::LinSpaced(r.flexible.cols(), 1, -.5);
@@ -83,9 +83,9 @@ TEST_P(Taylor, TheWitnessNoticesAnotherMaterial) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, Taylor,
-                         testing::Values(Case{"4,2,2/tet4", false, true}, Case{"4,2,2/tet4", true, false},
-                                         Case{"3,1,1/tet10", false, true}, Case{"3,1,1/tet10", true, false},
-                                         Case{"4,2,2/hex8", false, false}, Case{"4,2,2/hex8", true, true}),
+                         testing::Values(Expansion{"4,2,2/tet4", false, true}, Expansion{"4,2,2/tet4", true, false},
+                                         Expansion{"3,1,1/tet10", false, true}, Expansion{"3,1,1/tet10", true, false},
+                                         Expansion{"4,2,2/hex8", false, false}, Expansion{"4,2,2/hex8", true, true}),
                          [](const auto& info) {
                            const std::string text = info.param.mesh;
                            return text.substr(text.rfind('/') + 1) + (info.param.free ? "_free" : "_clamped");

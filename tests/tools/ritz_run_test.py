@@ -30,7 +30,7 @@ class RitzRun(unittest.TestCase):
     def setUp(self):
         self.temporary = tempfile.TemporaryDirectory()
         self.folder = Path(self.temporary.name)
-        subprocess.run([BIN / "sample_model", self.folder / "model.h5"], check=True)
+        subprocess.run([BIN / "write_sample_model", self.folder / "model.h5"], check=True)
         (self.folder / "scene.toml").write_text(SCENE)
         self.inputs = {path.name for path in self.folder.iterdir()}
 
