@@ -1,10 +1,10 @@
 # What `cmake --install` puts where: programs into bin, the layers marked INSTALLED into lib and include/ritz, and a
-# package file by which another project says find_package(ritz COMPONENTS runtime format).
+# package file by which another project says find_package(ritz COMPONENTS world format).
 include(CMakePackageConfigHelpers)
 set(package "${CMAKE_INSTALL_LIBDIR}/cmake/ritz")
 
-# ritz::runtime stands on Eigen alone; ritz::format adds HDF5, which a project that only steps models need not have.
-install(TARGETS ritz_base ritz_fem ritz_model ritz_runtime EXPORT ritz-runtime
+# ritz::runtime and ritz::world stand on Eigen alone; ritz::format adds HDF5, which a project that only steps models need not have.
+install(TARGETS ritz_base ritz_fem ritz_model ritz_runtime ritz_scene ritz_world EXPORT ritz-runtime
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(TARGETS ritz_files ritz_format EXPORT ritz-format
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})

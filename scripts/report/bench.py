@@ -132,5 +132,5 @@ class Bench:
         folder.mkdir(parents=True, exist_ok=True)
         single = ["--single"] if precision == "single" else []
         words = [model, "--scene", self.toml(step, integrator), "--output", folder / "motion.h5", "--timing",
-                 folder / "timing.csv", *single, *frames]
+                 folder / "timing.csv", "--summary", folder / "summary.json", *single, *frames]
         return programs.run(self.bin / "ritz-run", words)

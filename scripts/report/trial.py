@@ -1,12 +1,12 @@
 """One run: how wrong it is, once; what it costs, many times over."""
 import csv
 import dataclasses
+import json
 import math
 import shutil
 
 import numpy as np
 
-from energy_line import gained_and_lost
 from report import errors, programs
 from report.methods import BY_NAME
 from report.reference import tone_of
@@ -33,7 +33,8 @@ def compare(bench, reference, run, key, row):
     else:
         row |= model_columns(bench, run)
         folder = bench.folder / "runs" / key
-        row["energy_balance"] = energy_printed(move(bench, run, folder).text)
+        move(bench, run, folder)
+        row["energy_balance"] = energy_kept(folder)
     micros, row["iterations"], row["rejected"] = step_costs(folder)
     times, u = reference.body.frames(folder / ("full.h5" if full else "motion.h5"))
     error = errors.norms(u - reference.u, reference.body.mass)
@@ -83,9 +84,10 @@ def finest_frames(bench, reference, run):
     return reference.body.frames(folder / "motion.h5")[1]
 
 
-def energy_printed(text):
-    """Of a nonlinear motion; linear ones print none."""
-    return max(gained_and_lost(text) or [float("nan")])
+def energy_kept(folder):
+    """Of a nonlinear motion, relative to the energy that there was; linear ones say none."""
+    energy = json.loads((folder / "summary.json").read_text())["energy"]
+    return energy["largest_drift"] / energy["available"] if energy and energy["available"] > 0 else float("nan")
 
 
 def energy_drift(folder):

@@ -1,5 +1,5 @@
 """An undamped beam that is struck at its end, over very many steps."""
-from .motion import GAINED, INTEGRATORS, pull, reduce_beam, said
+from .motion import GAINED, INTEGRATORS, move, pull, reduce_beam, said
 from .row import Figure, Length, Row, at_most, equal, finite, plain, reported, says
 
 FAST = 60  # dt omega_max: the step of a motion that is watched; its fast modes, which the blow moves, are not resolved
@@ -10,12 +10,13 @@ BLOW = 30.  # N, up and down again over two steps
 def swing(bench, integrator, steps, fast=FAST):
     step = float(fast / reduce_beam(bench))
     scene = bench.write("swing.toml", pull(BLOW, step, steps, integrator, ramp=step))
-    return bench.move("model.h5", "--scene", scene, "--frames", "0", code=None)
+    return move(bench, scene, code=None)
 
 
 def avf(bench, length):
     steps = 1_000_000 if length is Length.full else 10_000
-    seen = said(ran := swing(bench, "avf", steps))
+    ran = swing(bench, "avf", steps)
+    seen = said(bench)
     z = bench.read("motion.h5", "z")
     return [equal("steps", len(z) - 1, steps), finite("coordinates", z),
             at_most("energy drifts, relative, by", seen.drift, 1e-6), reported(ran.out.splitlines()[0])]
@@ -29,7 +30,7 @@ def drift(integrator, fast=FAST):
         ran = swing(bench, integrator, steps, fast)
         if ran.code != 0:
             return [Figure(f"exit {ran.code}, '{ran.sentence}'", ran.code == 1 and bool(ran.sentence))]
-        seen = said(ran)
+        seen = said(bench)
         figures = [reported(f"{steps} steps with dt omega_max = {fast}: of the energy that the blow brought "
                             f"{seen.gained:.2g} gained and {seen.lost:.2g} lost; {seen.rejected} steps rejected")]
         if integrator in DISSIPATIVE:
@@ -43,8 +44,9 @@ def drift(integrator, fast=FAST):
 def warning(bench, length):
     """Newmark gains energy on nonlinear models, though it is unconditionally stable on linear ones."""
     newmark = swing(bench, "newmark", 1000)
+    grown = 1 + said(bench).gained
     calm = swing(bench, "avf", 1000)
-    return [reported(f"newmark: the energy grows to {1 + said(newmark).gained:.1e} times what the blow brought"),
+    return [reported(f"newmark: the energy grows to {grown:.1e} times what the blow brought"),
             equal("newmark: warnings", len(newmark.warnings), 1),
             says("its warning", " ".join(newmark.warnings), '"avf"', '"implicit-euler"'),
             equal("avf: warnings", len(calm.warnings), 0)]

@@ -1,10 +1,7 @@
 """What the moving rows share: a beam reduced for large bending, scenes, and what ritz-run says of a motion."""
-import re
 from dataclasses import dataclass
 
 import numpy as np
-
-from energy_line import gained_and_lost
 
 from .bench import SOFT, Broken
 
@@ -31,7 +28,7 @@ def pull(force, step, steps, integrator, ramp=None):
 
 @dataclass(frozen=True)
 class Said:
-    """What ritz-run printed of a motion."""
+    """What ritz-run says of a motion."""
     rejected: int
     gained: float  # relative to what there was at the beginning and what the load brought
     lost: float
@@ -41,9 +38,15 @@ class Said:
         return max(self.gained, self.lost)
 
 
-def said(ran):
-    steps = re.search(r"(\d+) steps rejected", ran.out)
-    energy = gained_and_lost(ran.out)
-    if not steps or not energy:
-        raise Broken(f"ritz-run printed no energy balance: {ran.out}")
-    return Said(int(steps.group(1)), *energy)
+def move(bench, scene, **how):
+    """Runs model.h5 without frames; what it says of the motion is in motion.json."""
+    return bench.move("model.h5", "--scene", scene, "--frames", "0", "--summary", "motion.json", **how)
+
+
+def said(bench):
+    """Of the motion that was moved last."""
+    summary = bench.summary("motion.json")
+    energy = summary["energy"]
+    if not energy or not energy["available"] > 0:
+        raise Broken(f"ritz-run says nothing of the energy: {energy}")
+    return Said(summary["rejected_steps"], energy["gained"] / energy["available"], energy["lost"] / energy["available"])

@@ -2,7 +2,7 @@
 import numpy as np
 
 from .bench import SOFT
-from .motion import GAINED, pull, reduce_beam, said
+from .motion import GAINED, move, pull, reduce_beam, said
 from .row import Length, Row, at_most, finite, plain, reported
 
 SMALL = ["-mesh", "box:1,.1,.06/4,1,1/tet10", "-fix", "xmin", *SOFT, "-quiet"]
@@ -13,7 +13,8 @@ def reduced(integrator):
         step = 1e3 / reduce_beam(bench)
         steps = 5000 if length is Length.full else 500
         scene = bench.write("swing.toml", pull(3., float(step), steps, integrator))
-        seen = said(bench.move("model.h5", "--scene", scene, "--frames", "0"))
+        move(bench, scene)
+        seen = said(bench)
         z = bench.read("motion.h5", "z")
         tip = np.abs(bench.table("probes.csv")[1][:, 1:]).max()
         figures = [finite(f"{steps} steps of {step:.2g} s, the tip moves by up to {tip:.2g} m", z),

@@ -14,6 +14,7 @@
 #include "ritz/base/error.hpp"
 #include "ritz/base/shown.hpp"
 #include "ritz/files/claim.hpp"
+#include "ritz/files/json.hpp"
 #include "ritz/files/names.hpp"
 #include "ritz/format/parts.hpp"
 #include "ritz/scene_file/read.hpp"
@@ -22,6 +23,7 @@
 #include "run_body.hpp"
 #include "run_frames.hpp"
 #include "run_recorder.hpp"
+#include "run_summary.hpp"
 #include "run_text.hpp"
 
 namespace ritz::tools {
@@ -41,6 +43,7 @@ files::Claim claim(const RunOptions& options, Frames frames, Tables tables) {
   if (frames == Frames::some) beside("the file", format::xdmf_path(output, "--output " + output.string()));
   if (tables == Tables::probes) beside("the table", files::table_beside(output, "probes"));
   if (!options.timing.empty()) plan.outputs.push_back({"--timing " + options.timing.string(), options.timing});
+  if (!options.summary.empty()) plan.outputs.push_back({"--summary " + options.summary.string(), options.summary});
   return files::Claim(std::move(plan));
 }
 
@@ -136,17 +139,31 @@ void run_scene(const RunOptions& options, const format::ModelReader& in, std::os
   Recorder recorder(options.output, body, plan, frame_states);
   if (!scene.probes.empty()) recorder.add_probes(scene.probes, world::probe_matrix(scene, body));
   if (!options.timing.empty()) recorder.add_timing(options.timing);
+  if (!options.summary.empty()) recorder.add_summary(options.summary);
 
-  if (const auto text = overdamped(scene.damping); !text.empty()) err << "ritz-run: warning: " << text << '\n';
-  const auto cost = run_recorded(options, scene, body, recorder);
+  std::vector<std::string> warnings;
+  const auto warn = [&](const std::string& text) {
+    err << "ritz-run: warning: " << text << '\n';
+    warnings.push_back(text);
+  };
+  if (const auto text = overdamped(scene.damping); !text.empty()) warn(text);
+  const auto result = run_recorded(options, scene, body, recorder);
+  const auto inverted = inside_out(body.geometry, recorder.latest());
+  if (result.gain) warnings.push_back(warning(*result.gain, integrator_name(scene, body)));
+  recorder.summary(files::json_text(summary({.options = options,
+                                             .scene = scene,
+                                             .body = body,
+                                             .result = result,
+                                             .frames = std::ssize(frame_states),
+                                             .inverted_cells = inverted,
+                                             .warnings = warnings})));
   recorder.commit(names);
-  if (cost.gain) err << "ritz-run: warning: " << warning(*cost.gain, integrator_name(scene, body)) << '\n';
+  if (result.gain) err << "ritz-run: warning: " << warnings.back() << '\n';
   if (options.voice == Voice::quiet) return;
-  say_cost(cost, scene, body, out);
+  say_cost(result, scene, body, out);
   out << frame_states.size() << " frames in " << options.output.string() << '\n';
-  if (cost.energy) out << balance_line(*cost.energy) << '\n';
-  if (const auto cells = inside_out(body.geometry, recorder.latest()); cells > 0)
-    out << counted(cells, "cell is", "cells are") << " inside out at the end\n";
+  if (result.energy) out << balance_line(*result.energy) << '\n';
+  if (inverted > 0) out << counted(inverted, "cell is", "cells are") << " inside out at the end\n";
 }
 
 void animate(const RunOptions& options, const format::ModelReader& in, std::ostream& out) {

@@ -43,6 +43,8 @@ void declare(CLI::App& app, RunOptions& options) {
   app.add_option("--every", options.every, "Write a frame every N steps")->type_name("N")->check(at_least(1));
   app.add_option("--timing", options.timing, "Write what each step cost, without recording, as a table")
       ->type_name("FILE.csv");
+  app.add_option("--summary", options.summary, "Write what is printed, as numbers: docs/summary.md")
+      ->type_name("FILE.json");
   app.add_flag_callback(
       "--single", [&] { options.precision = world::Precision::single; },
       "Compute in single precision (nonlinear models only)");
@@ -61,6 +63,8 @@ void refuse_contradictions(const RunOptions& options) {
   if (options.frames && options.every) throw InputError("--frames and --every exclude each other: keep one of them");
   if (!options.timing.empty() && options.animate_mode)
     throw InputError("--timing needs a scene: a mode swings without steps");
+  if (!options.summary.empty() && options.animate_mode)
+    throw InputError("--summary needs a scene: a mode swings without steps");
   if (options.every && options.animate_mode) throw InputError("--every needs a scene: for a mode say --frames N");
 }
 

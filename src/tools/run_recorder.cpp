@@ -22,6 +22,14 @@ void Recorder::add_probes(const std::vector<scene::Probe>& probes, Eigen::Matrix
 
 void Recorder::add_timing(const std::filesystem::path& path) { timing_.emplace(path); }
 
+void Recorder::add_summary(const std::filesystem::path& path) { summary_.emplace(path); }
+
+void Recorder::summary(const std::string& text) {
+  if (!summary_) return;
+  summary_->out() << text;
+  summary_->check();
+}
+
 void Recorder::record(double t, Eigen::Ref<const Eigen::VectorXd> z) {
   z_ = z;
   motion_.state(t, z);
@@ -46,10 +54,12 @@ void Recorder::commit(const files::Claim& claim) {
   motion_.finish();
   if (probes_) probes_->table().finish();
   if (timing_) timing_->table().finish();
+  if (summary_) summary_->finish();
   claim.verify();
   const files::Uninterrupted together;
   if (probes_) probes_->table().publish();
   if (timing_) timing_->table().publish();
+  if (summary_) summary_->publish();
   motion_.publish();
   claim.say_published();
 }

@@ -26,6 +26,11 @@ class Recorder {
   /// Has the table of the steps' cost written too.
   void add_timing(const std::filesystem::path& path);
 
+  /// Has a summary written too.
+  void add_summary(const std::filesystem::path& path);
+  /// The summary's text, before the commit.
+  void summary(const std::string& text);
+
   void record(double t, Eigen::Ref<const Eigen::VectorXd> z);
   /// Of the step that led to the state which is recorded next.
   void cost(const world::StepCost& step);
@@ -42,6 +47,7 @@ class Recorder {
   format::ReducedMotion motion_;
   std::optional<ProbeWriter> probes_;
   std::optional<TimingWriter> timing_;
+  std::optional<TableFile> summary_;
   std::vector<std::int64_t> frame_states_;
   std::size_t next_frame_ = 0;
   std::int64_t state_ = 0;

@@ -29,7 +29,7 @@ void EnergyWatch::look(double t, double energy) {
 
 EnergyBalance EnergyWatch::balance() const {
   EnergyBalance balance = balance_;
-  if (balance.available > 0) balance.largest_drift = std::max(balance.gained, balance.lost) / balance.available;
+  balance.largest_drift = std::max(balance.gained, balance.lost);
   return balance;
 }
 

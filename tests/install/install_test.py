@@ -12,7 +12,7 @@ from pathlib import Path
 
 PARALLEL = re.compile(r"mpi|petsc|slepc|metis|open-rte", re.IGNORECASE)
 SERIAL = {"ritz-run", "ritz-inspect"}
-LAYERS = {"base", "files", "fem", "model", "runtime", "format"}
+LAYERS = {"base", "files", "fem", "model", "runtime", "scene", "world", "format"}
 
 
 def run(*words):

@@ -1,4 +1,5 @@
 """ritz-run as a program: exit codes, one sentence on stderr, no leftovers, and files that others can read."""
+import json
 import os
 import resource
 import signal
@@ -50,6 +51,22 @@ class RitzRun(unittest.TestCase):
         self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
         self.assertEqual(result.stdout, "")
         self.assertEqual(self.outputs(), set())
+
+    def test_the_summary_says_what_is_printed(self):
+        (self.folder / "scene.toml").write_text(SCENE + "[damping]\nratio = 2\n")
+        result = self.run_it("model.h5", "--scene", "scene.toml", "--summary", "summary.json")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        said = json.loads((self.folder / "summary.json").read_text())
+        self.assertEqual((said["program"], said["integrator"], said["steps"]), ("ritz-run", "exact", 20))
+        self.assertIn(f"20 steps of {said['coordinates']} coordinates", result.stdout)
+        self.assertIn(f"{said['frames']} frames", result.stdout)
+        self.assertEqual(said["energy"], None)
+        self.assertEqual(["ritz-run: warning: " + text for text in said["warnings"]], result.stderr.splitlines())
+
+    def test_a_summary_that_cannot_be_written_costs_nothing_else(self):
+        self.refused(self.run_it("model.h5", "--scene", "scene.toml", "--summary", "nowhere/summary.json"), 2, "nowhere")
+        self.refused(self.run_it("model.h5", "--scene", "scene.toml", "--summary", "scene.toml"), 2, "scene.toml")
+        self.refused(self.run_it("model.h5", "--animate-mode", "1", "--summary", "s.json"), 2, "--summary")
 
     def test_an_overdamped_ratio_is_warned_of(self):
         for ratio, warned in (("2", True), ("[0.02, 1]", True), ("0.02", False)):

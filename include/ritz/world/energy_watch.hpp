@@ -9,7 +9,7 @@ struct EnergyBalance {
   double start = 0;          ///< E₀
   double gained = 0;         ///< the most of E − E₀ − W + Q
   double lost = 0;           ///< the least of it, as a positive number
-  double largest_drift = 0;  ///< the larger of the two over `available`; 0 where there was no energy
+  double largest_drift = 0;  ///< the larger of the two
   double available = 0;      ///< the most of E₀ + W − Q
   double work = 0;           ///< W at the end
   double dissipated = 0;     ///< Q at the end
