@@ -34,7 +34,8 @@ def configured(preset, folder):
 
 
 def build(folder, *targets):
-    return processor_seconds("cmake", "--build", folder, "--parallel", os.cpu_count(), *(["--target", *targets] if targets else []))
+    chosen = ["--target", *targets] if targets else []
+    return processor_seconds("cmake", "--build", folder, "--parallel", os.cpu_count(), *chosen)
 
 
 def tests(folder, *selection):

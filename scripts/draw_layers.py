@@ -50,7 +50,8 @@ def draw(uses, output):
     for name, (x, y) in at.items():
         for other in direct(uses, name):
             ox, oy = at[other]
-            axes.annotate("", (ox, oy + HEIGHT / 2), (x, y - HEIGHT / 2), arrowprops={"arrowstyle": "->", "color": "#888"})
+            axes.annotate("", (ox, oy + HEIGHT / 2), (x, y - HEIGHT / 2), zorder=1,
+                          arrowprops={"arrowstyle": "->", "color": "#888"})
         colour = "#ffe3c2" if name in MPI else "#cfe8ff"
         axes.add_patch(pyplot.Rectangle((x - WIDTH / 2, y - HEIGHT / 2), WIDTH, HEIGHT, facecolor=colour, edgecolor="#555",
                                         zorder=2))

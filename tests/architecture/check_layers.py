@@ -13,12 +13,12 @@ import layers
 EVERYWHERE_ABOVE_RUNTIME = {"files", "scene", "format", "tools", "readers", "parallel", "petsc", "mesh", "stages", "config",
                             "app"}
 OUTSIDE = [
-    (r"Eigen/\w+", {"fem", "model", "runtime"} | EVERYWHERE_ABOVE_RUNTIME),
+    (r"Eigen/\w+", {"fem", "model", "runtime", "world"} | EVERYWHERE_ABOVE_RUNTIME),
     (r"(petsc|slepc)\w*\.h", {"petsc"}),
     (r"mpi\.h", {"parallel", "petsc", "mesh", "stages", "config", "app"}),  # the last four: a communicator
     (r"hdf5\.h|H5\w+\.h", {"format"}),
     (r"CLI/\w+\.hpp", {"tools"}),
-    (r"toml\+\+/\w+\.h", {"scene"}),
+    (r"toml\+\+/\w+\.h", {"scene_file"}),
     (r"metis\.h", {"mesh"}),
     (r"pugixml\.hpp|zlib\.h|lz4\.h|lzma\.h", {"readers"}),
     (r"yaml\.h", {"config"}),

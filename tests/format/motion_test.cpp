@@ -17,7 +17,7 @@ namespace {
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-std::vector<double> numbers(const std::filesystem::path& path, const char* name) {
+std::vector<double> dataset_of(const std::filesystem::path& path, const char* name) {
   const File file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
   const Dataset dataset(H5Dopen2(file.get(), name, H5P_DEFAULT));
   const Space space(H5Dget_space(dataset.get()));
@@ -46,13 +46,13 @@ TEST(Motion, OfAReducedBodyHoldsItsStatesAndFrames) {
   EXPECT_FALSE(std::filesystem::exists(path));
   motion.publish();
 
-  const auto z = numbers(path, "z"), times = numbers(path, "times");
+  const auto z = dataset_of(path, "z"), times = dataset_of(path, "times");
   ASSERT_EQ(z.size(), 2U * states);
   for (std::size_t i = 0; i < z.size(); ++i) ASSERT_EQ(z[i], double(i));
   EXPECT_EQ(times.back(), double(states - 1));
-  EXPECT_EQ(numbers(path, "displacement").back(), 2);
-  EXPECT_EQ(numbers(path, "frames/0"), std::vector<double>(12, 1));
-  EXPECT_EQ(numbers(path, "frames/1"), std::vector<double>(12, 2));
+  EXPECT_EQ(dataset_of(path, "displacement").back(), 2);
+  EXPECT_EQ(dataset_of(path, "frames/0"), std::vector<double>(12, 1));
+  EXPECT_EQ(dataset_of(path, "frames/1"), std::vector<double>(12, 2));
   EXPECT_TRUE(std::filesystem::exists(folder / "motion.xdmf"));
 }
 
@@ -103,9 +103,9 @@ TEST(Motion, OfAnUnreducedBodyIsReadAsSnapshots) {
       in.read(i, row);
       EXPECT_TRUE(std::equal(row.begin(), row.end(), all.begin() + 3 * n * i)) << i;
     }
-    EXPECT_EQ(numbers(path, "displacement"), all);
-    EXPECT_EQ(numbers(path, "frames/1"), row);
-    EXPECT_EQ(numbers(path, "points"), std::vector<double>(all.begin(), all.begin() + 3 * n));
+    EXPECT_EQ(dataset_of(path, "displacement"), all);
+    EXPECT_EQ(dataset_of(path, "frames/1"), row);
+    EXPECT_EQ(dataset_of(path, "points"), std::vector<double>(all.begin(), all.begin() + 3 * n));
   }
 }
 

@@ -12,17 +12,17 @@ namespace {
 
 using test::allocations;
 
-constexpr Eigen::Index r = 300;
+constexpr Eigen::Index many = 300;
 
 Model<double> some_oscillators() {
-  return {.force = LinearForce<double>{Eigen::VectorXd::LinSpaced(r, 0, 4e4)},
-          .damping = Eigen::VectorXd(Eigen::VectorXd::LinSpaced(r, 0, 3))};
+  return {.force = LinearForce<double>{Eigen::VectorXd::LinSpaced(many, 0, 4e4)},
+          .damping = Eigen::VectorXd(Eigen::VectorXd::LinSpaced(many, 0, 3))};
 }
 
 TEST(Allocation, IsNoticed) {
   ASSERT_TRUE(test::counts_allocations());
   const auto before = allocations();
-  const Eigen::VectorXd zeros = Eigen::VectorXd::Zero(r);
+  const Eigen::VectorXd zeros = Eigen::VectorXd::Zero(many);
   EXPECT_EQ(allocations(), before + 1) << zeros.sum();
   ::operator delete(::operator new(8));
   EXPECT_EQ(allocations(), before + 2);
@@ -32,7 +32,7 @@ TEST(Allocation, IsNoticed) {
 
 TEST(Allocation, NoneInAStepOfAnyIntegrator) {
   const auto model = some_oscillators();
-  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(r), force = Eigen::VectorXd::Ones(r);
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(many), force = Eigen::VectorXd::Ones(many);
   for (const auto& integrator :
        {exact(), implicit_euler(), newmark(), generalized_alpha(), bdf2(), central_difference(), avf()}) {
     auto state = make_state<double>(model, integrator, rest, rest, force);
@@ -78,9 +78,9 @@ TEST(Allocation, NoneWhereTheMatrixIsIndefinite) {
 }
 
 TEST(Allocation, NoneInReconstruction) {
-  const model::Basis basis{model::RowMatrix::Random(3 * 50, r)};
+  const model::Basis basis{model::RowMatrix::Random(3 * 50, many)};
   const auto model = some_oscillators();
-  const Eigen::VectorXd z = Eigen::VectorXd::Random(r);
+  const Eigen::VectorXd z = Eigen::VectorXd::Random(many);
   const auto state = make_state<double>(model, exact(), z, z, z);
   model::Points u(50, 3);
   const auto before = allocations();

@@ -16,27 +16,27 @@ model::Modes modes() {
   return m;
 }
 
-const Eigen::VectorXd& stiffness(const Model<double>& model) {
+const Eigen::VectorXd& stiffness_of(const Model<double>& model) {
   return std::get<LinearForce<double>>(model.force).stiffness;
 }
 
-const Eigen::VectorXd& damping(const Model<double>& model) { return std::get<Vector<double>>(model.damping); }
+const Eigen::VectorXd& damping_of(const Model<double>& model) { return std::get<Vector<double>>(model.damping); }
 
 TEST(Oscillators, RigidModesHaveNoStiffnessAndOnlyAlpha) {
   const std::array ratio = {.1};
   const auto o = make_model(modes(), {.alpha = .5, .beta = .01, .ratio = ratio});
-  EXPECT_EQ(stiffness(o)[0], 0);
-  EXPECT_EQ(damping(o)[0], .5);
-  EXPECT_DOUBLE_EQ(damping(o)[1], .5 + .04 + 2 * .1 * 2);
+  EXPECT_EQ(stiffness_of(o)[0], 0);
+  EXPECT_EQ(damping_of(o)[0], .5);
+  EXPECT_DOUBLE_EQ(damping_of(o)[1], .5 + .04 + 2 * .1 * 2);
 }
 
 TEST(Oscillators, RatiosCountFlexibleModesAndHoldTheLast) {
   const std::array ratio = {.01, .02};
   const auto o = make_model(modes(), {.ratio = ratio});
-  EXPECT_EQ(damping(o)[0], 0);
-  EXPECT_DOUBLE_EQ(damping(o)[1], 2 * .01 * 2);
-  EXPECT_DOUBLE_EQ(damping(o)[2], 2 * .02 * 3);
-  EXPECT_DOUBLE_EQ(damping(o)[3], 2 * .02 * 4);
+  EXPECT_EQ(damping_of(o)[0], 0);
+  EXPECT_DOUBLE_EQ(damping_of(o)[1], 2 * .01 * 2);
+  EXPECT_DOUBLE_EQ(damping_of(o)[2], 2 * .02 * 3);
+  EXPECT_DOUBLE_EQ(damping_of(o)[3], 2 * .02 * 4);
 }
 
 TEST(Oscillators, RefuseANegativeEigenvalue) {

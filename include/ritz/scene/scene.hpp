@@ -57,9 +57,9 @@ struct Shake {
 };
 
 struct Damping {
-  double alpha = 0;           ///< 1/s, D = alpha M + beta K
-  double beta = 0;            ///< s
-  std::vector<double> ratio;  ///< modal damping ratios, one a flexible mode, the last one held; adds to the rest
+  double alpha = 0;                ///< 1/s, D = alpha M + beta K
+  double beta = 0;                 ///< s
+  std::vector<double> ratio = {};  ///< modal damping ratios, one a flexible mode, the last one held; adds to the rest
 };
 
 /// t = 0, step, 2 step, ... up to the first that reaches `end`.
