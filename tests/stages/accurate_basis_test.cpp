@@ -54,8 +54,8 @@ class AccurateBasis : public testing::TestWithParam<const char*> {
   double error(const Tall& U) const {
     const auto model =
         runtime::make_model<double>(stages::reduce_polynomial(r.p, *stages::polynomial_laws(r.p.materials),
-                                                                        mesh::to_vertices(r.p.mesh, r.p.dofs, U)),
-                                              {});
+                                                              mesh::to_vertices(r.p.mesh, r.p.dofs, U)),
+                                    {});
     auto room = runtime::make_static_workspace(model);
     Eigen::VectorXd z = Eigen::VectorXd::Zero(U.cols()), last = z;
     double worst = 0;
