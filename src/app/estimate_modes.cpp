@@ -2,7 +2,7 @@
 #include <cstdio>
 
 #include "ritz/app/estimate.hpp"
-#include "ritz/app/resources.hpp"
+#include "ritz/files/summary.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/petsc/panel.hpp"
 #include "ritz/petsc/speed.hpp"
@@ -79,7 +79,7 @@ Workload workload(const config::Config& config, const stages::Problem& problem, 
           1 + parallel_efficiency * (ranks - 1),
           total,
           total / ranks,
-          base_memory + peak_memory()};
+          base_memory + files::peak_memory()};
 }
 
 ModesEstimate estimate_modes(const Workload& work) {

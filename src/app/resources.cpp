@@ -1,11 +1,10 @@
 #include "ritz/app/resources.hpp"
 
-#include <sys/resource.h>
-
 #include <cstdio>
 #include <fstream>
 
 #include "ritz/base/counted.hpp"
+#include "ritz/files/summary.hpp"
 #include "ritz/parallel/comm.hpp"
 
 namespace ritz::app {
@@ -20,12 +19,6 @@ double available_memory() {
 
 }  // namespace
 
-double peak_memory() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return 1024.0 * static_cast<double>(usage.ru_maxrss);
-}
-
 double free_memory_per_rank(MPI_Comm comm) {
   MPI_Comm machine = MPI_COMM_NULL;
   MPI_Comm_split_type(comm, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
@@ -35,7 +28,7 @@ double free_memory_per_rank(MPI_Comm comm) {
 }
 
 Memory peak_memory(MPI_Comm comm) {
-  const double mine = peak_memory();
+  const double mine = files::peak_memory();
   return {parallel::max(comm, mine), parallel::sum(comm, mine)};
 }
 

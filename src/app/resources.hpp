@@ -6,9 +6,6 @@
 
 namespace ritz::app {
 
-/// The most memory that this process has held so far, bytes.
-double peak_memory();
-
 /// Bytes of memory that are free on this rank's machine, shared among the ranks on it. *Collective*.
 double free_memory_per_rank(MPI_Comm comm);
 

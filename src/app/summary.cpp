@@ -2,7 +2,7 @@
 
 #include "ritz/app/plausible.hpp"
 #include "ritz/app/resources.hpp"
-#include "ritz/base/version.hpp"
+#include "ritz/files/summary.hpp"
 #include "ritz/parallel/comm.hpp"
 
 namespace ritz::app {
@@ -15,15 +15,13 @@ files::Json::Object summary_head(MPI_Comm comm, const char* program, const confi
   Json::Array stages;
   for (const auto& [stage, seconds] : progress.seconds())
     stages.emplace_back(Json::Object{{"stage", stage}, {"seconds", seconds}});
-  return {{"format", "ritz-summary"},
-          {"version", 1},
-          {"program", program},
-          {"program_version", version},
-          {"ranks", parallel::size(comm)},
-          {"output", config.output.string()},
-          {"stages", std::move(stages)},
-          {"memory", Json::Object{{"largest_rank", memory.largest_rank}, {"all_ranks", memory.all_ranks}}},
-          {"warnings", files::json_list(progress.warnings())}};
+  return files::summary_head({.program = program,
+                              .ranks = parallel::size(comm),
+                              .output = config.output.string(),
+                              .stages = std::move(stages),
+                              .largest_rank = memory.largest_rank,
+                              .all_ranks = memory.all_ranks,
+                              .warnings = progress.warnings()});
 }
 
 files::Json problem_summary(const stages::Problem& problem) {

@@ -20,6 +20,14 @@ Properties access_of(MotionFile::Records records) {
   return access;
 }
 
+/// The list is closed after the file is judged: a call that succeeds wipes what HDF5 says of the one that failed.
+File create_file(const std::filesystem::path& path, MotionFile::Records records) {
+  const auto access = access_of(records);
+  File file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()));
+  require_written(static_cast<bool>(file));
+  return file;
+}
+
 hsize_t length(std::int64_t count) { return static_cast<hsize_t>(count); }
 
 }  // namespace
@@ -30,20 +38,8 @@ std::filesystem::path xdmf_path(std::filesystem::path path, const std::string& n
   return path.replace_extension(".xdmf");
 }
 
-namespace {
-
-/// The list is closed after the file is judged: a call that succeeds wipes what HDF5 says of the one that failed.
-File create(const std::filesystem::path& path, MotionFile::Records records) {
-  const auto access = access_of(records);
-  File file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()));
-  require_written(static_cast<bool>(file));
-  return file;
-}
-
-}  // namespace
-
 MotionFile::MotionFile(const std::filesystem::path& path, Records records)
-    : part_(path), file_(create(part_.part(), records)) {
+    : part_(path), file_(create_file(part_.part(), records)) {
   attach_text(file_.get(), schema::format, names::format_name);
 }
 

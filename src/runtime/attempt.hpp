@@ -14,6 +14,13 @@ struct StepPart {
 template <class Scalar>
 void combine(const Matrix<Scalar>& history, const Eigen::Matrix<Scalar, 4, 1>& coefficients, Vector<Scalar>& y);
 
+/// visit(s, weight) for each point z_n + s δ at which the method takes forces: one, or those of the mean.
+template <class Scalar, class Visit>
+void each_force_point(const ImplicitStep<Scalar>& numbers, Visit&& visit) {
+  if (numbers.rule == ForceRule::at_point) return visit(numbers.point, Scalar(1));
+  for (const Scalar s : mean_points<Scalar>()) visit(s, Scalar(0.5));
+}
+
 /// The internal force of an implicit method at δ, its mean over the step or at the method's point, and the force that
 /// depends on the position; with their derivatives by δ.
 template <class Scalar>

@@ -11,28 +11,27 @@ template <class Scalar>
 void factor_mass(const Model<Scalar>& model, Scalar drag, NewtonRoom<Scalar>& room) {
   room.jacobian.setZero();
   add_damping<Scalar>(model, drag, room.jacobian);
-  if (std::holds_alternative<UnitInertia>(model.inertia)) room.jacobian.diagonal().array() += 1;
-  else if (const auto* constant = std::get_if<ConstantInertia<Scalar>>(&model.inertia)) room.jacobian += constant->mass;
-  else room.jacobian += room.inertia.mass;
+  add_mass(model.inertia, Scalar(1), room.inertia, room.jacobian);
   factor(room.jacobian, room.factors);
 }
 
-/// M(q) a + h(q, v) with v = drag a + velocity: h is taken at the last a until that does not change it.
+/// M(q) a + h(q, v) + drag D a = target with v = drag a + velocity: corrected by M + drag D until a does not change.
 template <class Scalar>
-void solve_varying(const Model<Scalar>& model, const ExplicitStep<Scalar>& numbers, NewtonRoom<Scalar>& room) {
+Status solve_varying(const Model<Scalar>& model, const ExplicitStep<Scalar>& numbers, NewtonRoom<Scalar>& room) {
   constexpr Scalar rounding = 4 * std::numeric_limits<Scalar>::epsilon();
-  room.correction = room.velocity;
-  room.position_sum.setZero();
+  room.acceleration.setZero();
   for (int n = 0; n < repeats_of_varying; ++n) {
-    evaluate<Scalar>(model.inertia, room.point, room.correction, room.position_sum, room.inertia);  // at a = 0: h
-    if (n == 0) factor_mass(model, numbers.drag, room);
-    room.residual = room.target - room.inertia.force;
-    solve_in_place(room.factors, room.residual);
-    const Scalar change = (room.residual - room.acceleration).norm();
-    room.acceleration = room.residual;
     room.correction = room.velocity + numbers.drag * room.acceleration;
-    if (n > 0 && change <= rounding * room.acceleration.norm()) return;
+    evaluate<Scalar>(model.inertia, room.point, room.correction, room.acceleration, room.inertia);
+    if (n == 0) factor_mass(model, numbers.drag, room);
+    room.residual = room.inertia.force - room.target;
+    add_damping<Scalar>(model, numbers.drag, room.acceleration, room.residual);
+    solve_in_place(room.factors, room.residual);
+    room.acceleration -= room.residual;
+    if (!room.acceleration.allFinite()) return Status::not_finite;
+    if (room.residual.norm() <= rounding * room.acceleration.norm()) return Status::done;
   }
+  return Status::not_converged;
 }
 
 }  // namespace
@@ -51,14 +50,12 @@ Outcome solve_explicit(const Model<Scalar>& model, const State<Scalar>& state, c
     (*load.position)(room.point, part.at + part.width, room.position_force, room.position_tangent);
     room.target += room.position_force;
   }
-  if (std::holds_alternative<VaryingInertia<Scalar>>(model.inertia)) {
-    solve_varying(model, numbers, room);
-  } else {
-    if (room.factored_dt != dt) factor_mass(model, numbers.drag, room);
-    room.factored_dt = dt;
-    room.acceleration = room.target;
-    solve_in_place(room.factors, room.acceleration);
-  }
+  if (std::holds_alternative<VaryingInertia<Scalar>>(model.inertia))
+    return {.status = solve_varying(model, numbers, room), .evaluations = 1};
+  if (room.factored_dt != dt) factor_mass(model, numbers.drag, room);
+  room.factored_dt = dt;
+  room.acceleration = room.target;
+  solve_in_place(room.factors, room.acceleration);
   return {.status = room.acceleration.allFinite() ? Status::done : Status::not_finite, .evaluations = 1};
 }
 

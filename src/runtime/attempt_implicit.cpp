@@ -32,19 +32,20 @@ Scalar evaluate_residual(const Model<Scalar>& model, const State<Scalar>& state,
                          const StepPart<Scalar>& part, const ImplicitStep<Scalar>& numbers, NewtonRoom<Scalar>& room) {
   evaluate_forces(model, state, load, part, numbers, room);
   const auto& force = takes_mean(numbers) ? room.mean.force : room.at_point.force;
-  Scalar scale = force.norm() + room.target.norm();
+  Scalar scale;
   if (std::holds_alternative<UnitInertia>(model.inertia)) {
+    scale = numbers.inertia * room.delta.norm();
     room.residual = numbers.inertia * room.delta + force - room.target;
-    scale = numbers.inertia * room.delta.norm() + force.norm() + room.target.norm();
   } else if (const auto* constant = std::get_if<ConstantInertia<Scalar>>(&model.inertia)) {
     room.residual.noalias() = numbers.inertia * constant->mass * room.delta;
-    scale += room.residual.norm();
+    scale = room.residual.norm();
     room.residual += force - room.target;
   } else {
     evaluate_inertia(model, state, numbers, room);
+    scale = room.inertia.force.norm();
     room.residual = room.inertia.force + force - room.target;
-    scale += room.inertia.force.norm();
   }
+  scale += force.norm() + room.target.norm();
   add_damping<Scalar>(model, numbers.drag, room.delta, room.residual);
   if (load.position) {
     room.residual -= room.position_force;
@@ -69,15 +70,12 @@ void evaluate_position_force(const State<Scalar>& state, const PositionForce<Sca
                              NewtonRoom<Scalar>& room) {
   room.position_sum.setZero();
   room.position_tangent_sum.setZero();
-  const auto add = [&](Scalar s, Scalar weight) {
+  each_force_point(numbers, [&](Scalar s, Scalar weight) {
     room.position_point = state.z() + s * room.delta;
     position(room.position_point, part.at + s * part.width, room.position_force, room.position_tangent);
     room.position_sum += weight * room.position_force;
     room.position_tangent_sum += (weight * s) * room.position_tangent;
-  };
-  if (takes_mean(numbers))
-    for (const Scalar s : mean_points<Scalar>()) add(s, Scalar(0.5));
-  else add(numbers.point, 1);
+  });
   room.position_force = room.position_sum;
   room.position_tangent = room.position_tangent_sum;
 }
@@ -119,13 +117,9 @@ void factor_jacobian(const Model<Scalar>& model, const StepLoad<Scalar>& load, c
   if (takes_mean(numbers)) room.jacobian = room.mean.tangent;
   else room.jacobian = numbers.point * room.at_point.tangent;
   add_damping<Scalar>(model, numbers.drag, room.jacobian);
+  add_mass(model.inertia, numbers.inertia, room.inertia, room.jacobian);
   const bool varies = std::holds_alternative<VaryingInertia<Scalar>>(model.inertia);
-  if (varies)
-    room.jacobian += numbers.inertia * room.inertia.mass + numbers.drag * room.inertia.by_velocity +
-                     numbers.point * room.inertia.by_position;
-  else if (const auto* constant = std::get_if<ConstantInertia<Scalar>>(&model.inertia))
-    room.jacobian += numbers.inertia * constant->mass;
-  else room.jacobian.diagonal().array() += numbers.inertia;
+  if (varies) room.jacobian += numbers.drag * room.inertia.by_velocity + numbers.point * room.inertia.by_position;
   if (load.position) room.jacobian -= room.position_tangent;
   if (varies || load.position) factor_unsymmetric(room.jacobian, room.factors);
   else factor(room.jacobian, room.factors);

@@ -26,7 +26,15 @@ void evaluate(const Inertia<Scalar>& inertia, const VectorRef<Scalar>& q, const 
   result.force = a;
 }
 
+template <class Scalar>
+void add_mass(const Inertia<Scalar>& inertia, Scalar scale, const InertiaAt<Scalar>& at, Matrix<Scalar>& matrix) {
+  if (std::holds_alternative<UnitInertia>(inertia)) matrix.diagonal().array() += scale;
+  else if (const auto* constant = std::get_if<ConstantInertia<Scalar>>(&inertia)) matrix += scale * constant->mass;
+  else matrix += scale * at.mass;
+}
+
 #define RITZ_INSTANCE(S)                                                                                   \
+  template void add_mass(const Inertia<S>&, S, const InertiaAt<S>&, Matrix<S>&);                           \
   template InertiaAt<S> make_inertia_at(Eigen::Index);                                                     \
   template void evaluate(const Inertia<S>&, const VectorRef<S>&, const VectorRef<S>&, const VectorRef<S>&, \
                          InertiaAt<S>&);

@@ -13,7 +13,4 @@ Outcome step_from_tables(const Model<Scalar>& model, State<Scalar>& state, const
                          const Integrator& integrator, OscillatorTables<Scalar>& tables,
                          StepDerivative<Scalar>* derivative);
 
-/// Throws InputError where an explicit integrator cannot take a step of `dt` seconds because of the frequency ω, rad/s.
-void refuse_unstable(const Integrator& integrator, double omega, double dt);
-
 }  // namespace ritz::runtime

@@ -46,25 +46,22 @@ Matrix<Scalar> tangent_at_begin(const Model<Scalar>& model, const State<Scalar>&
                                 const StepPart<Scalar>& part, const ImplicitStep<Scalar>& numbers,
                                 NewtonRoom<Scalar>& room) {
   Matrix<Scalar> tangent = Matrix<Scalar>::Zero(model.size(), model.size());
-  const auto add = [&](Scalar s, Scalar weight) {
+  each_force_point(numbers, [&](Scalar s, Scalar weight) {
     room.point = state.z() + s * room.delta;
     evaluate<Scalar>(model.force, room.point, room.at_point);
     tangent += weight * room.at_point.tangent;
     if (!load.position) return;
     (*load.position)(room.point, part.at + s * part.width, room.position_sum, room.position_tangent);
     tangent -= weight * room.position_tangent;
-  };
-  if (numbers.rule == ForceRule::mean_of_step)
-    for (const Scalar s : mean_points<Scalar>()) add(s, Scalar(0.5));
-  else add(numbers.point, 1);
+  });
   return tangent;
 }
 
 template <class Scalar>
 Matrix<Scalar> mass_of(const Model<Scalar>& model, const NewtonRoom<Scalar>& room) {
-  if (const auto* constant = std::get_if<ConstantInertia<Scalar>>(&model.inertia)) return constant->mass;
-  if (std::holds_alternative<VaryingInertia<Scalar>>(model.inertia)) return room.inertia.mass;
-  return Matrix<Scalar>::Identity(model.size(), model.size());
+  Matrix<Scalar> mass = Matrix<Scalar>::Zero(model.size(), model.size());
+  add_mass(model.inertia, Scalar(1), room.inertia, mass);
+  return mass;
 }
 
 /// D, and what a varying inertia adds to it.

@@ -8,6 +8,7 @@
 #include "part_derivative.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/base/shown.hpp"
+#include "stable_step.hpp"
 
 namespace ritz::runtime {
 namespace {
@@ -26,7 +27,7 @@ double highest_frequency(const Model<Scalar>& model) {
 }
 
 template <class Scalar>
-NewtonRoom<Scalar> make_room(const Model<Scalar>& model, const Integrator& integrator) {
+NewtonRoom<Scalar> make_room(const Model<Scalar>& model, const Integrator& integrator, Loads loads) {
   const Eigen::Index r = model.size();
   const Vector<Scalar> none = Vector<Scalar>::Zero(r);
   const Matrix<Scalar> square = Matrix<Scalar>::Zero(r, r);
@@ -35,14 +36,15 @@ NewtonRoom<Scalar> make_room(const Model<Scalar>& model, const Integrator& integ
                           .mean = make_mean_evaluation(model.force),
                           .inertia = make_inertia_at<Scalar>(varies ? r : 0),
                           .jacobian = square,
-                          .position_tangent = square,
-                          .position_tangent_sum = square,
                           .factors = make_factors<Scalar>(r),
                           .before = {Matrix<Scalar>::Zero(r, history_size(integrator.history)), 0}};
-  for (auto* vector :
-       {&room.target, &room.acceleration, &room.velocity, &room.delta, &room.point, &room.residual, &room.correction,
-        &room.correction_taken, &room.begin, &room.end, &room.position_force, &room.position_point, &room.position_sum})
+  for (auto* vector : {&room.target, &room.acceleration, &room.velocity, &room.delta, &room.point, &room.residual,
+                       &room.correction, &room.correction_taken, &room.begin, &room.end})
     *vector = none;
+  if (loads == Loads::of_position) {
+    room.position_tangent = room.position_tangent_sum = square;
+    room.position_force = room.position_point = room.position_sum = none;
+  }
   if (std::holds_alternative<ExplicitStep<>>(integrator.step)) room.highest_frequency = highest_frequency(model);
   return room;
 }
@@ -123,10 +125,10 @@ Outcome step_in_parts(const Model<Scalar>& model, State<Scalar>& state, const St
 template <class Scalar>
 Outcome take_step(const Model<Scalar>& model, State<Scalar>& state, const StepLoad<Scalar>& load, Scalar dt,
                   Workspace<Scalar>& workspace, StepDerivative<Scalar>* derivative) {
-  if (auto* tables = std::get_if<OscillatorTables<Scalar>>(&workspace.room)) {
-    if (load.position) throw std::logic_error("a workspace made for loads of time was given a force of position");
+  if (load.position && workspace.loads == Loads::of_time)
+    throw std::logic_error("a workspace made for loads of time was given a force of position");
+  if (auto* tables = std::get_if<OscillatorTables<Scalar>>(&workspace.room))
     return step_from_tables(model, state, load, dt, workspace.integrator, *tables, derivative);
-  }
   return step_in_parts(model, state, load, dt, workspace, derivative);
 }
 
@@ -137,13 +139,13 @@ Workspace<Scalar> make_workspace(const Model<Scalar>& model, const Integrator& i
                                  std::type_identity_t<Scalar> dt, const NewtonOptions<Scalar>& options, Loads loads) {
   if (!(dt > 0)) throw InputError("a step of " + shown(dt) + " s is not positive");
   if (is_oscillators(model) && loads == Loads::of_time)
-    return {integrator, options, make_tables(model, integrator, dt)};
+    return {integrator, options, loads, make_tables(model, integrator, dt)};
   if (std::holds_alternative<OscillatorRule>(integrator.step))
     throw InputError("the integrator '" + std::string(integrator.name) +
                      "' is for linear models under loads that depend on time alone");
-  auto room = make_room(model, integrator);
+  auto room = make_room(model, integrator, loads);
   refuse_unstable(integrator, room.highest_frequency, double(dt));
-  return {integrator, options, std::move(room)};
+  return {integrator, options, loads, std::move(room)};
 }
 
 template <class Scalar>

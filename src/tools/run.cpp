@@ -148,15 +148,17 @@ void run_scene(const RunOptions& options, const format::ModelReader& in, std::os
   };
   if (const auto text = overdamped(scene.damping); !text.empty()) warn(text);
   const auto result = run_recorded(options, scene, body, recorder);
-  const auto inverted = inside_out(body.geometry, recorder.latest());
-  if (result.gain) warnings.push_back(warning(*result.gain, integrator_name(scene, body)));
-  recorder.summary(files::json_text(summary({.options = options,
-                                             .scene = scene,
-                                             .body = body,
-                                             .result = result,
-                                             .frames = std::ssize(frame_states),
-                                             .inverted_cells = inverted,
-                                             .warnings = warnings})));
+  const bool told = options.voice == Voice::normal || !options.summary.empty();
+  const auto inverted = told ? inside_out(body.geometry, recorder.latest()) : 0;
+  if (result.gain) warnings.push_back(warning(*result.gain, std::string(result.integrator)));
+  if (!options.summary.empty())
+    recorder.summary(files::json_text(summary({.options = options,
+                                               .scene = scene,
+                                               .body = body,
+                                               .result = result,
+                                               .frames = std::ssize(frame_states),
+                                               .inverted_cells = inverted,
+                                               .warnings = warnings})));
   recorder.commit(names);
   if (result.gain) err << "ritz-run: warning: " << warnings.back() << '\n';
   if (options.voice == Voice::quiet) return;

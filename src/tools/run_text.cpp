@@ -7,22 +7,20 @@
 namespace ritz::tools {
 namespace {
 
+constexpr const char* not_finite_linear = ", is not finite: the loads are too large for double precision";
+
 std::string end_of_time(const world::Failure& failure, const model::Body& body) {
-  const std::string at = "step " + std::to_string(failure.step) + ", t = " + std::to_string(failure.t) + " s, ";
-  if (!body.polynomial)
-    return "step " + std::to_string(failure.step) + ", t = " + std::to_string(failure.t) +
-           ", is not finite: the loads are too large for double precision";
-  return at + (failure.cause == world::Cause::not_finite ? "is not finite: the loads are too large"
-                                                         : "does not converge, nor do its halves: take shorter steps");
+  const std::string at = "step " + std::to_string(failure.step) + ", t = " + std::to_string(failure.t);
+  if (!body.polynomial) return at + not_finite_linear;
+  return at + (failure.cause == world::Cause::not_finite
+                   ? " s, is not finite: the loads are too large"
+                   : " s, does not converge, nor do its halves: take shorter steps");
 }
 
 std::string end_of_statics(const world::Failure& failure, const model::Body& body) {
+  if (!body.polynomial)
+    return "load step " + std::to_string(failure.step) + ", t = " + std::to_string(failure.t) + not_finite_linear;
   std::ostringstream text;
-  if (!body.polynomial) {
-    text << "load step " << failure.step << ", t = " << std::to_string(failure.t)
-         << ", is not finite: the loads are too large for double precision";
-    return text.str();
-  }
   text << "statics reached load fraction " << failure.t << " and no further: ";
   if (failure.cause == world::Cause::limit_point)
     text << "a limit point, where the smallest eigenvalue of the tangent stiffness goes to zero (" << failure.softest
@@ -46,7 +44,7 @@ void fail(const world::RunResult& result, const scene::Scene& scene, const model
   const auto& failure = *result.failure;
   if (failure.cause == world::Cause::free_body) throw InputError(free_body(failure));
   if (std::holds_alternative<scene::Static>(scene.analysis)) throw NumericalError(end_of_statics(failure, body));
-  const auto gained = result.gain ? "; " + warning(*result.gain, integrator_name(scene, body)) : "";
+  const auto gained = result.gain ? "; " + warning(*result.gain, std::string(result.integrator)) : "";
   throw NumericalError(end_of_time(failure, body) + gained);
 }
 
@@ -81,13 +79,6 @@ std::string warning(const world::EnergyGain& gain, const std::string& integrator
        << " does not hold the energy of nonlinear motions at this step; say integrator = \"avf\" or "
           "\"implicit-euler\", or take shorter steps";
   return text.str();
-}
-
-std::string integrator_name(const scene::Scene& scene, const model::Body& body) {
-  const auto* time = std::get_if<scene::Time>(&scene.analysis);
-  const auto default_one = body.polynomial ? scene::Integrator::avf : scene::Integrator::exact;
-  const auto index = static_cast<std::size_t>(time ? time->integrator.value_or(default_one) : default_one);
-  return std::string(scene::integrator_names[index]);
 }
 
 }  // namespace ritz::tools

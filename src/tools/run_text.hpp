@@ -20,7 +20,4 @@ std::string balance_line(const world::EnergyBalance& balance);
 /// A sentence that names integrators which hold the energy.
 std::string warning(const world::EnergyGain& gain, const std::string& integrator);
 
-/// The name of the integrator that a scene in time runs with on such a body.
-std::string integrator_name(const scene::Scene& scene, const model::Body& body);
-
 }  // namespace ritz::tools

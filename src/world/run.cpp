@@ -54,13 +54,14 @@ class Watch {
 template <class Scalar>
 RunResult let_pass(const scene::Scene& scene, const scene::Time& time, const model::Body& body,
                    const Observer& observer) {
-  const auto model = std::make_shared<const runtime::Model<Scalar>>(make_model<Scalar>(body, scene.damping));
+  const auto model = share(make_model<Scalar>(body, scene.damping));
   const ReducedLoad load = reduce_loads(scene, body);
   Eigen::VectorXd force(model->size());
   load.evaluate(scene, 0, force);
-  auto instance =
-      make_instance<Scalar>(model, choose(time.integrator, *model), Scalar(time.step), force.cast<Scalar>().eval());
-  RunResult result{.steps = scene::step_count(time), .energy = {}, .gain = {}, .failure = {}};
+  const auto integrator = choose(time.integrator, *model);
+  auto instance = make_instance<Scalar>(model, integrator, Scalar(time.step), force.cast<Scalar>().eval());
+  RunResult result{
+      .integrator = integrator.name, .steps = scene::step_count(time), .energy = {}, .gain = {}, .failure = {}};
   std::optional<Watch<Scalar>> watch;
   if (!runtime::is_oscillators(*model)) watch.emplace(instance, result.steps);
   observer.state(0, instance.state.z().template cast<double>().eval());
@@ -103,7 +104,7 @@ RunResult load_slowly(const scene::Scene& scene, const scene::Static& statics, c
   auto workspace = runtime::make_static_workspace<Scalar>(model);
   Eigen::VectorXd force(model.size());
   runtime::Vector<Scalar> z = runtime::Vector<Scalar>::Zero(model.size()), begin = z, end = z;
-  RunResult result{.steps = statics.steps, .energy = {}, .gain = {}, .failure = {}};
+  RunResult result{.integrator = {}, .steps = statics.steps, .energy = {}, .gain = {}, .failure = {}};
   double from = 0;
   for (int n = 0; n <= statics.steps; ++n) {
     const auto started = Clock::now();

@@ -141,6 +141,29 @@ TEST(GeneralEquation, TheExactIntegratorIsForOscillatorsAlone) {
   EXPECT_THROW(make_workspace<double>(oscillator, exact(), .1, {}, Loads::of_position), InputError);
 }
 
+TEST(GeneralEquation, AForceOfPositionNeedsAWorkspaceMadeForIt) {
+  const PositionForce<double> none = [](const auto&...) {};
+  const Model<double> oscillator{.force = LinearForce<double>{VectorXd::Ones(1)},
+                                 .damping = VectorXd(VectorXd::Zero(1))};
+  for (const auto& model : {oscillator, make_model<double>(bar(9), {})}) {
+    auto motion = test::start<double>(model, avf(), .1, VectorXd::Ones(1));
+    const StepLoad<double> load{motion.force, motion.force, &none};
+    EXPECT_THROW(step<double>(motion.model, motion.state, load, .1, motion.workspace), std::logic_error);
+  }
+}
+
+TEST(GeneralEquation, AnExplicitStepWhoseInertiaIsNotSolvedForIsRejected) {
+  // h = 5 v / Δt: the repeated solution of a + 5 (v + Δt a / 2) / Δt = 0 runs away, as 5/2 > 1.
+  auto model = make_model<double>(bar(1), {});
+  model.inertia = VaryingInertia<double>{
+      [](const auto&, const auto& v, const auto& a, InertiaAt<double>& at) { at.force = a + 50 * v; }};
+  auto motion = test::start<double>(model, central_difference(), .1, VectorXd::Ones(1), 0, {.halvings = 0});
+  motion.state.history(0, 1) = 1;
+  const auto before = motion.state.history;
+  EXPECT_EQ(motion.step().status, Status::not_converged);
+  EXPECT_EQ(motion.state.history, before);
+}
+
 TEST(GeneralEquation, AnExplicitStepIsBoundedByTheMass) {
   auto model = make_model<double>(bar(100), {});
   model.inertia = ConstantInertia<double>{MatrixXd::Constant(1, 1, 4)};  // ω = 5

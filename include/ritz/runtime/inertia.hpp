@@ -45,4 +45,8 @@ template <class Scalar>
 void evaluate(const Inertia<Scalar>& inertia, const VectorRef<Scalar>& q, const VectorRef<Scalar>& v,
               const VectorRef<Scalar>& a, InertiaAt<Scalar>& result);
 
+/// matrix += scale M, r x r; of a varying inertia the mass that `at` was evaluated to last.
+template <class Scalar>
+void add_mass(const Inertia<Scalar>& inertia, Scalar scale, const InertiaAt<Scalar>& at, Matrix<Scalar>& matrix);
+
 }  // namespace ritz::runtime

@@ -1,6 +1,7 @@
 // The internal force f̃(z) of a reduced model: of small displacements, or a polynomial. A new kind is one struct with
 // size() and the functions below, and one alternative of the variant.
 #pragma once
+#include <array>
 #include <variant>
 
 #include "ritz/runtime/polynomial_force.hpp"

@@ -70,26 +70,29 @@ struct NewtonRoom {
   Evaluation<Scalar> at_point;
   MeanEvaluation<Scalar> mean;
   InertiaAt<Scalar> inertia;
-  Matrix<Scalar> jacobian, position_tangent, position_tangent_sum;
+  Matrix<Scalar> jacobian;
   Factors<Scalar> factors;
   Vector<Scalar> target = {}, acceleration = {}, velocity = {}, delta = {}, point = {};
   Vector<Scalar> residual = {}, correction = {}, correction_taken = {}, begin = {}, end = {};
-  Vector<Scalar> position_force = {}, position_point = {}, position_sum = {};
   State<Scalar> before;
   double highest_frequency = 0;  ///< rad/s at rest, of explicit methods
   Scalar factored_dt = 0;        ///< s, whose M + drag D an explicit method has factored
+  // Of a force that depends on the position; empty for loads of time.
+  Matrix<Scalar> position_tangent = {}, position_tangent_sum = {};
+  Vector<Scalar> position_force = {}, position_point = {}, position_sum = {};
 };
+
+/// Whether loads have a part that depends on the position: then oscillators, too, are stepped by Newton's method.
+enum class Loads : unsigned char { of_time, of_position };
 
 /// Room for a step; one a thread.
 template <class Scalar>
 struct Workspace {
   Integrator integrator;
   NewtonOptions<Scalar> options;
+  Loads loads = Loads::of_time;
   std::variant<OscillatorTables<Scalar>, NewtonRoom<Scalar>> room;
 };
-
-/// Whether loads will have a part that depends on the position: then oscillators, too, are stepped by Newton's method.
-enum class Loads : unsigned char { of_time, of_position };
 
 /// Oscillators take steps from a table, all others by Newton's method. Throws InputError when `dt` is not positive, or
 /// where the integrator cannot take it or not such a model.
@@ -105,7 +108,8 @@ State<Scalar> make_state(const Model<Scalar>& model, const Integrator& integrato
 
 /// One step of `dt` seconds with the workspace's integrator. An attempt that does not converge or is not finite is
 /// rejected and halved, as often as the options allow; when that is not enough the state is left as it was. Does not
-/// allocate. Throws InputError where the integrator cannot take `dt`.
+/// allocate. Throws InputError where the integrator cannot take `dt`, and std::logic_error for a force of position in a
+/// workspace that was made for loads of time.
 template <class Scalar>
 Outcome step(const Model<Scalar>& model, State<Scalar>& state, const StepLoad<Scalar>& load,
              std::type_identity_t<Scalar> dt, Workspace<Scalar>& workspace);

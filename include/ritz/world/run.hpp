@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string_view>
 
 #include "ritz/runtime/statics.hpp"
 #include "ritz/world/body.hpp"
@@ -44,6 +45,7 @@ struct Failure {
 };
 
 struct RunResult {
+  std::string_view integrator;  ///< its name; empty of statics
   std::int64_t steps = 0;
   double seconds = 0;  ///< of stepping alone
   std::int64_t iterations = 0, rejected = 0;
