@@ -15,7 +15,7 @@ import layers
 # Outside headers that must not even be reachable.
 PARALLEL = ["mpi.h", "petscsys.h", "slepcsys.h"]
 UNREACHABLE = {
-    **dict.fromkeys(["base", "files", "fem", "model", "runtime", "scene", "readers"], PARALLEL + ["hdf5.h"]),
+    **dict.fromkeys(["base", "files", "fem", "model", "runtime", "scene", "scene_file", "world", "readers"], PARALLEL + ["hdf5.h"]),
     **dict.fromkeys(["format", "tools"], PARALLEL),
     "parallel": ["petscsys.h", "slepcsys.h"],
 }
