@@ -13,6 +13,7 @@ namespace {
 enum Message : std::uint8_t {
   dataspace = 1,
   datatype = 3,
+  link = 6,
   external_files = 7,
   data_layout = 8,
   filters = 11,
@@ -122,6 +123,23 @@ void read_filters(Cursor in, RawHeader& header) {
   }
 }
 
+void check_link(Cursor in) {
+  const auto version = in.number(1), flags = in.number(1);
+  constexpr unsigned known = 0x1f, width = 0x03, numbered = 0x04, typed = 0x08, has_encoding = 0x10;
+  constexpr std::uint64_t hard = 0, soft = 1, first_foreign = 64;
+  if (version != 1 || (flags & ~known) != 0) bad_header();
+  const auto type = (flags & typed) != 0 ? in.number(1) : hard;
+  if (type > soft && type < first_foreign) bad_header();
+  if ((flags & numbered) != 0) in.take(8);
+  if ((flags & has_encoding) != 0 && in.number(1) > 1) bad_header();
+  const auto name = in.number(1ULL << (flags & width));
+  if (name == 0) bad_header();
+  in.take(name);
+  if (type == hard) in.take(8);
+  else if (const auto bytes = in.number(2); bytes > 0) in.take(bytes);
+  else if (type == soft) bad_header();
+}
+
 }  // namespace
 
 RawHeader raw_header(const RawFile& file, std::uint64_t address) {
@@ -139,6 +157,15 @@ RawHeader raw_header(const RawFile& file, std::uint64_t address) {
   });
   if (shapes != 1 || types != 1 || layouts != 1) bad_header();
   return header;
+}
+
+void check_links(const RawFile& file, std::uint64_t address) {
+  each_message(file, address, [](unsigned type, unsigned flags, std::span<const unsigned char> contents) {
+    constexpr unsigned shared = 0x02;
+    if (type != link) return;
+    if ((flags & shared) != 0) bad_header();
+    check_link(Cursor(contents));
+  });
 }
 
 }  // namespace ritz::format

@@ -1,5 +1,5 @@
-// What an HDF5 object header says of a dataset, read from the file's bytes: HDF5 itself follows whatever stands there,
-// and in a damaged heap without end.
+// What an HDF5 object header says of a dataset or a group, read from the file's bytes: HDF5 itself follows whatever
+// stands there, and in a damaged heap without end.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -33,6 +33,10 @@ struct BadHeader : std::runtime_error {
 
 /// The header at `address` (as H5O_info_t gives it). Throws BadHeader.
 RawHeader raw_header(const RawFile& file, std::uint64_t address);
+
+/// Throws BadHeader where a link in the header of the group at `address` is none that HDF5 can decode: HDF5 1.10 frees
+/// a table of links that it could not fill. A group of many links keeps them in a heap, which is not looked at here.
+void check_links(const RawFile& file, std::uint64_t address);
 
 /// Whether object `index` of the global heap collection at `address` is a view's mapping with the checksum that it was
 /// written with. The heap itself has none: HDF5 1.10 walks a damaged one for ever, and follows a damaged mapping beyond
