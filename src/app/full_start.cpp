@@ -41,7 +41,12 @@ petsc::LinearSolver linear_solver(const config::Config& config, const mesh::Dofs
 
 scene::Scene read_scene(MPI_Comm comm, const std::filesystem::path& path) {
   scene::Scene scene;
-  parallel::together(comm, [&] { scene = scene::read(path); });
+  parallel::together(comm, [&] {
+    scene = scene::read(path);
+    if (scene.bodies.size() > 1)
+      throw InputError(path.string() + ": the scene has " + std::to_string(scene.bodies.size()) +
+                       " bodies, and the full model is of one: give a scene of one [[body]], or ritz-run");
+  });
   return scene;
 }
 

@@ -14,6 +14,15 @@ double Table::at(double t) const {
   return v0 + (v1 - v0) * ((t - t0) / (t1 - t0));
 }
 
+Scene of_body(const Scene& scene, std::string_view name) {
+  Scene own = scene;
+  own.bodies.clear();
+  const auto acts_elsewhere = [&](const auto& item) { return item.body != name; };
+  std::erase_if(own.loads, acts_elsewhere);
+  std::erase_if(own.probes, acts_elsewhere);
+  return own;
+}
+
 std::int64_t step_count(const Time& time) {
   return std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(time.end / time.step - 1e-9)));
 }

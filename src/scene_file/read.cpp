@@ -72,11 +72,52 @@ Target target(const Section& section) {
   fail(section.entry(), section.entry().name + " needs a 'set' or a 'vertex'");
 }
 
-Load load(const Section& section) {
+/// Of bodies, as of probes, whose names head columns and name files.
+void check_name(const Entry& entry, const std::string& name, const std::string& use) {
+  const auto unfit = [](unsigned char c) { return c == ',' || c == '"' || c < ' ' || c == 0x7f; };
+  if (name.empty() || std::any_of(name.begin(), name.end(), unfit))
+    fail(entry, entry.name + " " + use + ": it must not be empty nor hold a comma, a quote or a control character");
+}
+
+/// Relative paths of models count from the scene file's folder.
+Body body(const Section& section, const std::vector<Body>& earlier) {
+  const Entry name = section.get("name");
+  Body body{.name = text(name), .model = {}, .model_body = {}};
+  check_name(name, body.name, "names files");
+  for (const auto& other : earlier)
+    if (other.name == body.name) fail(name, "two bodies are named '" + printable(body.name) + "'");
+  if (const auto model = section.find("model")) {
+    body.model = std::filesystem::path(section.entry().file).parent_path() / text(*model);
+    if (text(*model).empty()) fail(*model, model->name + " must name a model file");
+  }
+  if (const auto stored = section.find("model_body")) {
+    body.model_body = text(*stored);
+    if (body.model_body.empty()) fail(*stored, stored->name + " must name a body of the model file");
+  }
+  return body;
+}
+
+/// Whom a load or a probe means. Of one body it need not be said.
+std::string whose(const Section& section, const std::vector<Body>& bodies) {
+  const auto entry = section.find("body");
+  if (!entry && bodies.size() > 1)
+    fail(section.entry(), section.entry().name + " needs the key 'body', since the scene has several");
+  if (!entry) return bodies.empty() ? "" : bodies.front().name;
+  const auto name = text(*entry);
+  if (bodies.empty()) fail(*entry, entry->name + " names a body, and the scene has no [[body]]");
+  std::vector<std::string> known;
+  for (const auto& body : bodies) known.push_back(body.name);
+  if (std::ranges::find(known, name) == known.end())
+    fail(*entry,
+         "the scene has no body '" + printable(name) + "'; did you mean '" + printable(nearest(name, known)) + "'?");
+  return name;
+}
+
+Load load(const Section& section, const std::vector<Body>& bodies) {
   const auto key = section.one_of({"total", "each", "pressure", "traction"});
   if (key.empty()) fail(section.entry(), "[[load]] needs one of 'total', 'each', 'pressure' and 'traction'");
   const Entry value = section.get(key);
-  Load load{.target = target(section), .kind = TotalForce{}, .table = std::nullopt};
+  Load load{.body = whose(section, bodies), .target = target(section), .kind = TotalForce{}, .table = std::nullopt};
   if (std::holds_alternative<std::int64_t>(load.target) && (key == "pressure" || key == "traction"))
     fail(value, value.name + " acts on a surface set, not on a vertex");
   if (key == "total") load.kind = TotalForce{vector3(value)};
@@ -87,12 +128,10 @@ Load load(const Section& section) {
   return load;
 }
 
-Probe probe(const Section& section, const std::vector<Probe>& earlier) {
+Probe probe(const Section& section, const std::vector<Body>& bodies, const std::vector<Probe>& earlier) {
   const Entry name = section.get("name");
-  Probe probe{.name = text(name), .target = target(section)};
-  const auto unfit = [](unsigned char c) { return c == ',' || c == '"' || c < ' ' || c == 0x7f; };
-  if (probe.name.empty() || std::any_of(probe.name.begin(), probe.name.end(), unfit))
-    fail(name, name.name + " heads a column: it must not be empty nor hold a comma, a quote or a control character");
+  Probe probe{.name = text(name), .body = whose(section, bodies), .target = target(section)};
+  check_name(name, probe.name, "heads a column");
   for (const auto& other : earlier)
     if (other.name == probe.name) fail(name, "two probes are named '" + printable(probe.name) + "'");
   return probe;
@@ -105,7 +144,8 @@ Vector3 direction(const Entry& entry) {
 }
 
 Scene scene(const Section& file) {
-  Scene scene{.analysis = analysis(file), .damping = {}, .gravity = {}, .shake = {}, .loads = {}, .probes = {}};
+  Scene scene{
+      .analysis = analysis(file), .damping = {}, .gravity = {}, .shake = {}, .bodies = {}, .loads = {}, .probes = {}};
   if (const auto entry = file.find("damping")) scene.damping = damping(*entry);
   if (const auto entry = file.find("gravity")) scene.gravity = vector3(*entry);
   if (const auto entry = file.find("shake")) {
@@ -113,11 +153,13 @@ Scene scene(const Section& file) {
     const Section shake({entry->node, entry->file, "[shake]"}, {"direction", "table"});
     scene.shake = {direction(shake.get("direction")), table(shake.get("table"))};
   }
+  for (const auto& section : sections(file, "body", {"name", "model", "model_body"}))
+    scene.bodies.push_back(body(section, scene.bodies));
   for (const auto& section :
-       sections(file, "load", {"set", "vertex", "total", "each", "pressure", "traction", "table"}))
-    scene.loads.push_back(load(section));
-  for (const auto& section : sections(file, "probe", {"name", "set", "vertex"}))
-    scene.probes.push_back(probe(section, scene.probes));
+       sections(file, "load", {"body", "set", "vertex", "total", "each", "pressure", "traction", "table"}))
+    scene.loads.push_back(load(section, scene.bodies));
+  for (const auto& section : sections(file, "probe", {"name", "body", "set", "vertex"}))
+    scene.probes.push_back(probe(section, scene.bodies, scene.probes));
   return scene;
 }
 
@@ -139,7 +181,7 @@ Scene parse(const std::string& bytes, const std::string& file) {
   try {
     const toml::table root = toml::parse(bytes, file);
     return scene(
-        Section({root, file, "the scene"}, {"time", "static", "damping", "gravity", "shake", "load", "probe"}));
+        Section({root, file, "the scene"}, {"time", "static", "damping", "gravity", "shake", "body", "load", "probe"}));
   } catch (const toml::parse_error& error) {
     throw InputError(file + ":" + std::to_string(error.source().begin.line) +
                      ": not valid TOML: " + printable(error.description()));

@@ -17,6 +17,7 @@
 #include "ritz/files/json.hpp"
 #include "ritz/files/names.hpp"
 #include "ritz/format/parts.hpp"
+#include "ritz/format/schema.hpp"
 #include "ritz/scene_file/read.hpp"
 #include "ritz/scene_file/room.hpp"
 #include "ritz/world/loads.hpp"
@@ -31,17 +32,30 @@ namespace {
 
 enum class Tables { none, probes };
 
+/// motion.NAME.h5 of the body NAME in a scene that names its bodies; else the output itself.
+std::filesystem::path output_of(const RunOptions& options, const RunBody& body) {
+  if (body.name.empty()) return options.output;
+  const auto& all = options.output;
+  return all.parent_path() /
+         (all.stem().string() + "." + format::schema::link_name(body.name) + all.extension().string());
+}
+
 /// Takes the names of all that the run will write.
-files::Claim claim(const RunOptions& options, Frames frames, Tables tables) {
-  const auto& output = options.output;
-  files::Plan plan{.outputs = {{"--output " + output.string(), output}},
-                   .inputs = {{"the model " + options.model.string(), options.model}}};
+files::Claim claim(const RunOptions& options, const std::vector<RunBody>& bodies, Frames frames, Tables tables) {
+  files::Plan plan{.outputs = {}};
   const auto beside = [&](const std::string& what, const std::filesystem::path& path) {
     plan.outputs.push_back({what + " " + path.string() + " beside the output", path});
   };
+  for (const auto& body : bodies) {
+    const auto output = output_of(options, body);
+    plan.outputs.push_back({"--output " + output.string(), output});
+    if (frames == Frames::some) beside("the file", format::xdmf_path(output, "--output " + output.string()));
+    const files::Named model{"the model " + body.model_file.string(), body.model_file};
+    const auto same = [&](const files::Named& input) { return input.path == model.path; };
+    if (std::ranges::none_of(plan.inputs, same)) plan.inputs.push_back(model);
+  }
   if (!options.scene.empty()) plan.inputs.push_back({"the scene " + options.scene.string(), options.scene});
-  if (frames == Frames::some) beside("the file", format::xdmf_path(output, "--output " + output.string()));
-  if (tables == Tables::probes) beside("the table", files::table_beside(output, "probes"));
+  if (tables == Tables::probes) beside("the table", files::table_beside(options.output, "probes"));
   if (!options.timing.empty()) plan.outputs.push_back({"--timing " + options.timing.string(), options.timing});
   if (!options.summary.empty()) plan.outputs.push_back({"--summary " + options.summary.string(), options.summary});
   return files::Claim(std::move(plan));
@@ -71,37 +85,76 @@ std::string overdamped(const scene::Damping& damping) {
          "damping, and 2 % is written 0.02";
 }
 
-void refuse_unfit(const RunOptions& options, const scene::Scene& scene, const model::Body& body) {
-  const auto* time = std::get_if<scene::Time>(&scene.analysis);
-  if (body.polynomial && time && time->integrator == scene::Integrator::exact)
+void refuse_unfit(const RunOptions& options, const RunBody& body) {
+  const auto* time = std::get_if<scene::Time>(&body.scene.analysis);
+  const bool nonlinear = body.model->polynomial.has_value();
+  if (nonlinear && time && time->integrator == scene::Integrator::exact)
     throw InputError(
         "the integrator 'exact' is for linear models, and this one is nonlinear: choose avf, implicit-euler, newmark, "
         "generalized-alpha, bdf2 or central-difference, or run it with --linear");
-  if (!body.polynomial && options.precision == world::Precision::single)
+  if (!nonlinear && options.precision == world::Precision::single)
     throw InputError("--single is for nonlinear forces, and these are linear: leave it out");
+  if (const auto left_out = world::left_out_motions(body.scene, *body.model))
+    refuse(*left_out, body.model_file.string());
 }
 
-world::RunResult run_recorded(const RunOptions& options, const scene::Scene& scene, const model::Body& body,
-                              Recorder& recorder) {
+void refuse_beyond_room(const RunOptions& options, const std::vector<RunBody>& bodies, std::int64_t steps,
+                        std::int64_t frames) {
+  scene::Recording recording{.steps = steps, .frames = frames, .bytes_a_step = 0, .bytes_a_frame = 0};
+  for (const auto& body : bodies) {
+    recording.bytes_a_step += 8.0 * static_cast<double>(1 + world::reduced_size(*body.model));
+    recording.bytes_a_frame += 8.0 * static_cast<double>(body.model->geometry.points.size());
+  }
+  scene::refuse_beyond_room(recording, options.output, std::numeric_limits<double>::infinity());
+}
+
+/// What a run's bodies leave behind, all files open.
+void prepare(Recorder& recorder, const RunOptions& options, const scene::Scene& scene,
+             const std::vector<RunBody>& bodies, const std::vector<std::int64_t>& frame_states) {
+  std::vector<ProbedBody> probed;
+  for (const auto& body : bodies) {
+    const auto columns = world::reduced_size(*body.model);
+    recorder.add(output_of(options, body), *body.model, plan_scene(scene, count_steps(scene), frame_states, columns));
+    if (scene.probes.empty()) continue;
+    world::naming(body.name, [&] { probed.push_back({body.name, world::probe_matrix(body.scene, *body.model)}); });
+  }
+  if (!scene.probes.empty())
+    recorder.add_probes(files::table_beside(options.output, "probes"), scene.probes, std::move(probed));
+  if (!options.timing.empty()) recorder.add_timing(options.timing);
+  if (!options.summary.empty()) recorder.add_summary(options.summary);
+}
+
+std::vector<world::RunResult> run_recorded(const RunOptions& options, const scene::Scene& scene,
+                                           const std::vector<RunBody>& bodies, Recorder& recorder) {
   Progress line(count_steps(scene), options.voice == Voice::quiet ? Visible::no : on_terminal());
   std::int64_t states = 0;
-  const auto result = world::run(scene, body, options.precision,
-                                 {.state =
-                                      [&](double t, const auto& z) {
-                                        recorder.record(t, z);
-                                        line.at(states++);
-                                      },
-                                  .cost = [&](const world::StepCost& cost) { recorder.cost(cost); }});
-  if (result.failure) fail(result, scene, body);
-  return result;
+  std::vector<world::Observer> observers;
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    observers.push_back({.state =
+                             [&, i](double t, const auto& z) {
+                               recorder.record(i, t, z);
+                               if (i == 0) line.at(states++);
+                             },
+                         .cost = [&, i](const world::StepCost& cost) { recorder.cost(i, cost); }});
+  std::vector<world::Actor> actors;
+  for (std::size_t i = 0; i < bodies.size(); ++i) actors.push_back({bodies[i].model.get(), &observers[i]});
+  auto results = world::run(scene, actors, options.precision);
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    if (results[i].failure) fail(results[i], bodies[i]);
+  return results;
 }
 
-void say_cost(const world::RunResult& cost, const scene::Scene& scene, const model::Body& body, std::ostream& out) {
+void say(const BodyResult& of, const scene::Scene& scene, std::int64_t frames, std::ostream& out) {
+  const auto& [body, result, output, inverted] = of;
   const bool timed = std::holds_alternative<scene::Time>(scene.analysis);
-  out << cost.steps << (timed ? " steps" : " load steps") << " of " << world::reduced_size(body) << " coordinates in "
-      << std::setprecision(3) << cost.seconds << " s, " << 1e6 * cost.seconds / static_cast<double>(cost.steps)
-      << " µs a step; ";
-  if (body.polynomial) out << cost.iterations << " Newton iterations, " << cost.rejected << " steps rejected; ";
+  out << who(body) << result.steps << (timed ? " steps" : " load steps") << " of " << world::reduced_size(*body.model)
+      << " coordinates in " << std::setprecision(3) << result.seconds << " s, "
+      << 1e6 * result.seconds / static_cast<double>(result.steps) << " µs a step; ";
+  if (body.model->polynomial)
+    out << result.iterations << " Newton iterations, " << result.rejected << " steps rejected; ";
+  out << frames << " frames in " << output.string() << '\n';
+  if (result.energy) out << who(body) << balance_line(*result.energy) << '\n';
+  if (inverted > 0) out << who(body) << counted(inverted, "cell is", "cells are") << " inside out at the end\n";
 }
 
 /// ψ sin ωt over one period of `frequency` Hz at `states` times, from 0; the period's end is its beginning and not
@@ -115,31 +168,23 @@ void swing_mode(const model::Body& body, double frequency, std::int64_t states, 
   for (std::int64_t k = 0; k < states; ++k) {
     const double turn = static_cast<double>(k) / static_cast<double>(states);
     const Eigen::VectorXd z = Eigen::VectorXd::Constant(1, amplitude * std::sin(2 * M_PI * turn));
-    recorder.record(turn / frequency, z);
+    recorder.record(0, turn / frequency, z);
   }
 }
 
-void run_scene(const RunOptions& options, const format::ModelReader& in, std::ostream& out, std::ostream& err) {
+void run_scene(const RunOptions& options, std::ostream& out, std::ostream& err) {
   const scene::Scene scene = scene::read(options.scene);
   const std::int64_t steps = count_steps(scene);
   const std::int64_t frames = frame_count(options, steps);
   const auto drawn = frames == 0 ? Frames::none : Frames::some;
-  const auto names = claim(options, drawn, scene.probes.empty() ? Tables::none : Tables::probes);
-  const model::Body body = read_body(in, scene, drawn, options.forces);
-  if (const auto left_out = world::left_out_motions(scene, body)) refuse(*left_out, in.name());
-  refuse_unfit(options, scene, body);
-  scene::refuse_beyond_room({.steps = steps,
-                             .frames = frames,
-                             .bytes_a_step = 8.0 * static_cast<double>(1 + world::reduced_size(body)),
-                             .bytes_a_frame = 8.0 * static_cast<double>(body.geometry.points.size())},
-                            options.output, std::numeric_limits<double>::infinity());
+  auto bodies = cast(scene, options.model);
+  const auto names = claim(options, bodies, drawn, scene.probes.empty() ? Tables::none : Tables::probes);
+  read_bodies(bodies, scene, drawn, options.forces);
+  for (const auto& body : bodies) world::naming(body.name, [&] { refuse_unfit(options, body); });
+  refuse_beyond_room(options, bodies, steps, frames);
   const auto frame_states = frame_schedule(options, steps);
-
-  const auto plan = plan_scene(scene, steps, frame_states, world::reduced_size(body));
-  Recorder recorder(options.output, body, plan, frame_states);
-  if (!scene.probes.empty()) recorder.add_probes(scene.probes, world::probe_matrix(scene, body));
-  if (!options.timing.empty()) recorder.add_timing(options.timing);
-  if (!options.summary.empty()) recorder.add_summary(options.summary);
+  Recorder recorder(frame_states);
+  prepare(recorder, options, scene, bodies, frame_states);
 
   std::vector<std::string> warnings;
   const auto warn = [&](const std::string& text) {
@@ -147,29 +192,34 @@ void run_scene(const RunOptions& options, const format::ModelReader& in, std::os
     warnings.push_back(text);
   };
   if (const auto text = overdamped(scene.damping); !text.empty()) warn(text);
-  const auto result = run_recorded(options, scene, body, recorder);
+  const auto results = run_recorded(options, scene, bodies, recorder);
+  const auto said_before = warnings.size();
   const bool told = options.voice == Voice::normal || !options.summary.empty();
-  const auto inverted = told ? inside_out(body.geometry, recorder.latest()) : 0;
-  if (result.gain) warnings.push_back(warning(*result.gain, std::string(result.integrator)));
+  std::vector<BodyResult> all;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    all.push_back({.body = bodies[i],
+                   .result = results[i],
+                   .output = output_of(options, bodies[i]),
+                   .inverted_cells = told ? inside_out(bodies[i].model->geometry, recorder.latest(i)) : 0});
+    if (results[i].gain)
+      warnings.push_back(who(bodies[i]) + warning(*results[i].gain, std::string(results[i].integrator)));
+  }
   if (!options.summary.empty())
     recorder.summary(files::json_text(summary({.options = options,
                                                .scene = scene,
-                                               .body = body,
-                                               .result = result,
+                                               .bodies = all,
                                                .frames = std::ssize(frame_states),
-                                               .inverted_cells = inverted,
                                                .warnings = warnings})));
   recorder.commit(names);
-  if (result.gain) err << "ritz-run: warning: " << warnings.back() << '\n';
+  for (auto i = said_before; i < warnings.size(); ++i) err << "ritz-run: warning: " << warnings[i] << '\n';
   if (options.voice == Voice::quiet) return;
-  say_cost(result, scene, body, out);
-  out << frame_states.size() << " frames in " << options.output.string() << '\n';
-  if (result.energy) out << balance_line(*result.energy) << '\n';
-  if (inverted > 0) out << counted(inverted, "cell is", "cells are") << " inside out at the end\n";
+  for (const auto& body : all) say(body, scene, std::ssize(frame_states), out);
 }
 
-void animate(const RunOptions& options, const format::ModelReader& in, std::ostream& out) {
-  const auto names = claim(options, Frames::some, Tables::none);
+void animate(const RunOptions& options, std::ostream& out) {
+  const format::ModelReader in(options.model);
+  const auto names =
+      claim(options, {{.name = {}, .model_file = options.model, .scene = {}, .model = {}}}, Frames::some, Tables::none);
   const std::int64_t index = *options.animate_mode - 1;
   const model::Body body = read_mode(in, index);
   const auto& kinds = body.modes->kinds;
@@ -187,7 +237,8 @@ void animate(const RunOptions& options, const format::ModelReader& in, std::ostr
   std::iota(frame_states.begin(), frame_states.end(), 0);
   for (const auto k : frame_states)
     plan.frame_times.push_back(static_cast<double>(k) / static_cast<double>(states) / frequency);
-  Recorder recorder(options.output, body, plan, frame_states);
+  Recorder recorder(frame_states);
+  recorder.add(options.output, body, plan);
   swing_mode(body, frequency, states, recorder);
   recorder.commit(names);
   if (options.voice == Voice::quiet) return;
@@ -198,9 +249,8 @@ void animate(const RunOptions& options, const format::ModelReader& in, std::ostr
 }  // namespace
 
 void run(const RunOptions& options, std::ostream& out, std::ostream& err) {
-  const format::ModelReader in(options.model);
-  if (options.animate_mode) animate(options, in, out);
-  else run_scene(options, in, out, err);
+  if (options.animate_mode) animate(options, out);
+  else run_scene(options, out, err);
 }
 
 }  // namespace ritz::tools

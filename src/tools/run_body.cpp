@@ -1,8 +1,11 @@
 #include "run_body.hpp"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include "ritz/base/error.hpp"
+#include "ritz/base/printable.hpp"
 #include "ritz/format/sound.hpp"
 #include "ritz/world/rigid_motions.hpp"
 
@@ -16,11 +19,10 @@ bool any_target(const scene::Scene& scene) {
   return std::ranges::any_of(scene.loads, is) || std::ranges::any_of(scene.probes, is);
 }
 
-}  // namespace
-
-model::Body read_body(const format::ModelReader& in, const scene::Scene& scene, Frames frames, Forces forces) {
+model::Body read_body(const format::ModelReader& in, const std::string& name, const scene::Scene& scene, Frames frames,
+                      Forces forces) {
   model::Body body;
-  body.name = in.first_body();
+  body.name = name;
   format::check_complete(in, body.name);
   body.reduction = format::read_reduction(in, body.name);
   body.modes = format::read_modes(in, body.name);
@@ -34,6 +36,44 @@ model::Body read_body(const format::ModelReader& in, const scene::Scene& scene, 
   if (scene.gravity || scene.shake || lacks_motions) body.inertia = format::read_inertia(in, body.name);
   format::check_witnesses(in, body);
   return body;
+}
+
+}  // namespace
+
+std::vector<RunBody> cast(const scene::Scene& scene, const std::filesystem::path& model) {
+  if (scene.bodies.empty()) {
+    if (model.empty()) throw InputError("there is no model: give MODEL.h5, or a scene whose [[body]] names one");
+    return {{.name = {}, .model_file = model, .scene = scene, .model = {}}};
+  }
+  std::vector<RunBody> bodies;
+  bool taken = false;
+  for (const auto& body : scene.bodies) {
+    const auto& file = body.model.empty() ? model : body.model;
+    taken = taken || body.model.empty();
+    if (file.empty())
+      throw InputError("body '" + printable(body.name) + "' has no model: give MODEL.h5, or 'model' of its [[body]]");
+    bodies.push_back({.name = body.name, .model_file = file, .scene = of_body(scene, body.name), .model = {}});
+  }
+  if (!taken && !model.empty())
+    throw InputError("each [[body]] of the scene names its 'model', so that " + model.string() +
+                     " is not used: leave one of them out");
+  return bodies;
+}
+
+void read_bodies(std::vector<RunBody>& bodies, const scene::Scene& scene, Frames frames, Forces forces) {
+  using Key = std::pair<std::filesystem::path, std::string>;
+  std::map<std::filesystem::path, format::ModelReader> files;
+  std::map<Key, std::shared_ptr<const model::Body>> read;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const auto& file = bodies[i].model_file;
+    auto& in = files.try_emplace(file, file).first->second;
+    const auto asked = scene.bodies.empty() ? std::string() : scene.bodies[i].model_body;
+    if (!asked.empty()) in.require_body(asked);
+    const auto name = asked.empty() ? in.first_body() : asked;
+    auto& model = read[{file, name}];
+    if (!model) model = std::make_shared<const model::Body>(read_body(in, name, scene, frames, forces));
+    bodies[i].model = model;
+  }
 }
 
 model::Body read_mode(const format::ModelReader& in, std::int64_t index) {

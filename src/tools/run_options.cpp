@@ -20,13 +20,17 @@ auto at_least(std::int64_t least) {
 void declare(CLI::App& app, RunOptions& options) {
   app.get_formatter()->column_width(26);
   app.get_formatter()->label("REQUIRED", "");
-  app.add_option("model", options.model, "Reduced model, as ritz-reduce writes it")->required()->type_name("MODEL.h5");
+  app.add_option(
+         "model", options.model,
+         "Reduced model, as ritz-reduce writes it. May be left out\nwhere each [[body]] of the scene names its model")
+      ->type_name("MODEL.h5");
   app.add_option("--scene", options.scene, "What is done to the body: time or statics, loads,\nprobes")
       ->type_name("SCENE.toml");
   app.add_option("--output", options.output,
                  "Motion to write (default: motion.h5). Beside it stand an\n"
                  ".xdmf for ParaView and, when the scene has probes, a\n"
-                 "table: OTHER.probes.csv of OTHER.h5, and probes.csv of\nmotion.h5")
+                 "table: OTHER.probes.csv of OTHER.h5, and probes.csv of\nmotion.h5. A scene with [[body]] NAME "
+                 "writes\nmotion.NAME.h5 for each")
       ->type_name("MOTION.h5");
   app.add_option("--animate-mode", options.animate_mode,
                  "Instead of a scene, swing mode I through one period, at\n"
@@ -58,6 +62,8 @@ void declare(CLI::App& app, RunOptions& options) {
 void refuse_contradictions(const RunOptions& options) {
   if (options.scene.empty() && !options.animate_mode)
     throw InputError("nothing to run: give --scene SCENE.toml or --animate-mode I");
+  if (options.model.empty() && options.animate_mode)
+    throw InputError("--animate-mode swings a mode of a model: give MODEL.h5");
   if (!options.scene.empty() && options.animate_mode)
     throw InputError("--scene and --animate-mode exclude each other: a mode swings without a scene");
   if (options.frames && options.every) throw InputError("--frames and --every exclude each other: keep one of them");

@@ -5,18 +5,32 @@
 namespace ritz::tools {
 
 ProbeWriter::ProbeWriter(const std::filesystem::path& path, const std::vector<scene::Probe>& probes,
-                         Eigen::MatrixXd matrix)
-    : table_(path), matrix_(std::move(matrix)), values_(matrix_.rows()) {
+                         std::vector<ProbedBody> bodies)
+    : table_(path), row_(3 * std::ssize(probes)) {
   table_.out() << 't';
   for (const auto& probe : probes)
     for (const auto* component : {"_ux", "_uy", "_uz"}) table_.out() << ',' << probe.name << component;
   table_.out() << '\n';
+  for (auto& body : bodies) {
+    Columns columns{.matrix = std::move(body.matrix), .probes = {}, .values = {}};
+    for (std::size_t i = 0; i < probes.size(); ++i)
+      if (probes[i].body == body.name) columns.probes.push_back(static_cast<Eigen::Index>(i));
+    columns.values.resize(columns.matrix.rows());
+    bodies_.push_back(std::move(columns));
+  }
 }
 
-void ProbeWriter::row(double t, Eigen::Ref<const Eigen::VectorXd> z) {
-  values_.noalias() = matrix_ * z;
+void ProbeWriter::take(std::size_t body, double t, Eigen::Ref<const Eigen::VectorXd> z) {
+  auto& columns = bodies_[body];
+  columns.values.noalias() = columns.matrix * z;
+  Eigen::Index from = 0;
+  for (const auto probe : columns.probes) {
+    row_.segment<3>(3 * probe) = columns.values.segment<3>(from);
+    from += 3;
+  }
+  if (body + 1 < bodies_.size()) return;
   table_.out() << t;
-  for (const double value : values_) table_.out() << ',' << value;
+  for (const double value : row_) table_.out() << ',' << value;
   table_.out() << '\n';
   table_.check();
 }

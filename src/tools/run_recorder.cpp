@@ -3,21 +3,20 @@
 #include <utility>
 
 #include "ritz/files/interruption.hpp"
-#include "ritz/files/names.hpp"
 #include "ritz/runtime/reconstruction.hpp"
 
 namespace ritz::tools {
 
-Recorder::Recorder(const std::filesystem::path& output, const model::Body& body, const MotionPlan& plan,
-                   std::vector<std::int64_t> frame_states)
-    : body_(body),
-      output_(output),
-      motion_(output, body.geometry, plan),
-      frame_states_(std::move(frame_states)),
-      displacement_(body.geometry.points.rows(), 3) {}
+void Recorder::add(const std::filesystem::path& output, const model::Body& body, const MotionPlan& plan) {
+  motions_.push_back({.body = body,
+                      .file = format::ReducedMotion(output, body.geometry, plan),
+                      .z = {},
+                      .displacement = model::Points(body.geometry.points.rows(), 3)});
+}
 
-void Recorder::add_probes(const std::vector<scene::Probe>& probes, Eigen::MatrixXd matrix) {
-  probes_.emplace(files::table_beside(output_, "probes"), probes, std::move(matrix));
+void Recorder::add_probes(const std::filesystem::path& path, const std::vector<scene::Probe>& probes,
+                          std::vector<ProbedBody> bodies) {
+  probes_.emplace(path, probes, std::move(bodies));
 }
 
 void Recorder::add_timing(const std::filesystem::path& path) { timing_.emplace(path); }
@@ -29,28 +28,35 @@ void Recorder::summary(const std::string& text) {
   summary_->check();
 }
 
-void Recorder::record(double t, Eigen::Ref<const Eigen::VectorXd> z) {
-  z_ = z;
-  motion_.state(t, z);
-  if (probes_) probes_->row(t, z);
-  const auto state = state_++;
-  if (next_frame_ == frame_states_.size() || frame_states_[next_frame_] != state) return;
-  runtime::reconstruct(body_.basis, z, displacement_);
-  motion_.frame(displacement_);
-  ++next_frame_;
+void Recorder::record(std::size_t body, double t, Eigen::Ref<const Eigen::VectorXd> z) {
+  auto& motion = motions_[body];
+  motion.z = z;
+  motion.file.state(t, z);
+  if (probes_) probes_->take(body, t, z);
+  const auto state = motion.state++;
+  if (motion.next_frame == frame_states_.size() || frame_states_[motion.next_frame] != state) return;
+  runtime::reconstruct(motion.body.basis, z, motion.displacement);
+  motion.file.frame(motion.displacement);
+  ++motion.next_frame;
 }
 
-const model::Points& Recorder::latest() {
-  if (displacement_.rows() > 0) runtime::reconstruct(body_.basis, z_, displacement_);
-  return displacement_;
+void Recorder::cost(std::size_t body, const world::StepCost& step) {
+  if (!timing_) return;
+  if (body == 0) cost_ = {.t = step.t};
+  cost_.seconds += step.seconds;
+  cost_.iterations += step.iterations;
+  cost_.rejected += step.rejected;
+  if (body + 1 == motions_.size()) timing_->row(cost_);
 }
 
-void Recorder::cost(const world::StepCost& step) {
-  if (timing_) timing_->row(step);
+const model::Points& Recorder::latest(std::size_t body) {
+  auto& motion = motions_[body];
+  if (motion.displacement.rows() > 0) runtime::reconstruct(motion.body.basis, motion.z, motion.displacement);
+  return motion.displacement;
 }
 
 void Recorder::commit(const files::Claim& claim) {
-  motion_.finish();
+  for (auto& motion : motions_) motion.file.finish();
   if (probes_) probes_->table().finish();
   if (timing_) timing_->table().finish();
   if (summary_) summary_->finish();
@@ -59,7 +65,7 @@ void Recorder::commit(const files::Claim& claim) {
   if (probes_) probes_->table().publish();
   if (timing_) timing_->table().publish();
   if (summary_) summary_->publish();
-  motion_.publish();
+  for (auto& motion : motions_) motion.file.publish();
   claim.say_published();
 }
 

@@ -1,5 +1,7 @@
 #include "run_summary.hpp"
 
+#include <utility>
+
 #include "ritz/files/summary.hpp"
 
 namespace ritz::tools {
@@ -15,32 +17,47 @@ Json energy(const std::optional<world::EnergyBalance>& balance) {
       {"available", balance->available}};
 }
 
+Json::Object members(const Summarised& run, const BodyResult& body) {
+  const bool timed = std::holds_alternative<scene::Time>(run.scene.analysis);
+  return {{"model", body.body.model_file.string()},
+          {"analysis", timed ? "dynamics" : "statics"},
+          {"integrator", timed ? Json(body.result.integrator) : Json(nullptr)},
+          {"precision", run.options.precision == world::Precision::single ? "single" : "double"},
+          {"coordinates", world::reduced_size(*body.body.model)},
+          {"steps", body.result.steps},
+          {"newton_iterations", body.result.iterations},
+          {"rejected_steps", body.result.rejected},
+          {"seconds", body.result.seconds},
+          {"frames", run.frames},
+          {"inverted_cells", body.inverted_cells},
+          {"energy", energy(body.result.energy)}};
+}
+
 }  // namespace
 
 files::Json summary(const Summarised& run) {
-  const bool timed = std::holds_alternative<scene::Time>(run.scene.analysis);
   const double memory = files::peak_memory();
-  auto members = files::summary_head({.program = "ritz-run",
-                                      .ranks = 1,
-                                      .output = run.options.output.string(),
-                                      .stages = {},
-                                      .largest_rank = memory,
-                                      .all_ranks = memory,
-                                      .warnings = run.warnings});
-  const Json::Object own{{"model", run.options.model.string()},
-                         {"analysis", timed ? "dynamics" : "statics"},
-                         {"integrator", timed ? Json(run.result.integrator) : Json(nullptr)},
-                         {"precision", run.options.precision == world::Precision::single ? "single" : "double"},
-                         {"coordinates", world::reduced_size(run.body)},
-                         {"steps", run.result.steps},
-                         {"newton_iterations", run.result.iterations},
-                         {"rejected_steps", run.result.rejected},
-                         {"seconds", run.result.seconds},
-                         {"frames", run.frames},
-                         {"inverted_cells", run.inverted_cells},
-                         {"energy", energy(run.result.energy)}};
-  members.insert(members.end(), own.begin(), own.end());
-  return members;
+  auto all = files::summary_head({.program = "ritz-run",
+                                  .ranks = 1,
+                                  .output = run.options.output.string(),
+                                  .stages = {},
+                                  .largest_rank = memory,
+                                  .all_ranks = memory,
+                                  .warnings = run.warnings});
+  if (run.scene.bodies.empty()) {
+    const auto own = members(run, run.bodies.front());
+    all.insert(all.end(), own.begin(), own.end());
+    return all;
+  }
+  Json::Array bodies;
+  for (const auto& body : run.bodies) {
+    Json::Object named{{"name", body.body.name}, {"output", body.output.string()}};
+    const auto own = members(run, body);
+    named.insert(named.end(), own.begin(), own.end());
+    bodies.emplace_back(std::move(named));
+  }
+  all.emplace_back("bodies", std::move(bodies));
+  return all;
 }
 
 }  // namespace ritz::tools

@@ -40,12 +40,15 @@ std::string free_body(const world::Failure& failure) {
 
 }  // namespace
 
-void fail(const world::RunResult& result, const scene::Scene& scene, const model::Body& body) {
+std::string who(const RunBody& body) { return body.name.empty() ? "" : "body '" + body.name + "': "; }
+
+void fail(const world::RunResult& result, const RunBody& body) {
   const auto& failure = *result.failure;
-  if (failure.cause == world::Cause::free_body) throw InputError(free_body(failure));
-  if (std::holds_alternative<scene::Static>(scene.analysis)) throw NumericalError(end_of_statics(failure, body));
+  if (failure.cause == world::Cause::free_body) throw InputError(who(body) + free_body(failure));
+  if (std::holds_alternative<scene::Static>(body.scene.analysis))
+    throw NumericalError(who(body) + end_of_statics(failure, *body.model));
   const auto gained = result.gain ? "; " + warning(*result.gain, std::string(result.integrator)) : "";
-  throw NumericalError(end_of_time(failure, body) + gained);
+  throw NumericalError(who(body) + end_of_time(failure, *body.model) + gained);
 }
 
 void refuse(const world::LeftOut& left_out, const std::string& model) {

@@ -5,11 +5,15 @@
 #include "ritz/scene/scene.hpp"
 #include "ritz/world/rigid_motions.hpp"
 #include "ritz/world/run.hpp"
+#include "run_body.hpp"
 
 namespace ritz::tools {
 
+/// What a sentence about one of several bodies begins with; nothing in a scene that names no bodies.
+std::string who(const RunBody& body);
+
 /// Throws what ends a run early: NumericalError, or InputError where the scene is at fault.
-[[noreturn]] void fail(const world::RunResult& result, const scene::Scene& scene, const model::Body& body);
+[[noreturn]] void fail(const world::RunResult& result, const RunBody& body);
 
 /// Throws InputError for loads that move a body as a whole though its basis leaves that out.
 [[noreturn]] void refuse(const world::LeftOut& left_out, const std::string& model);

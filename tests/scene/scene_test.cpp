@@ -72,6 +72,56 @@ vertex = 4
   EXPECT_EQ(std::get<std::int64_t>(scene.probes[1].target), 4);
 }
 
+TEST(Scene, ThatNamesNoBodiesHasOneWithoutAName) {
+  const test::TemporaryScene file("[static]\nsteps = 1\n[[load]]\nset = 'tip'\ntotal = [0, 0, 1]\n");
+  const Scene scene = read(file.path());
+  EXPECT_TRUE(scene.bodies.empty());
+  EXPECT_EQ(scene.loads[0].body, "");
+}
+
+TEST(Scene, OfSeveralBodiesSaysWhatIsDoneToEach) {
+  const std::string text = R"(
+gravity = [0, 0, -1]
+[static]
+steps = 1
+[[body]]
+name = "arm"
+model = "models/arm.h5"
+model_body = "upper"
+[[body]]
+name = "ball"
+model = "/far/ball.h5"
+[[body]]
+name = "other"
+[[load]]
+body = "ball"
+set = "tip"
+total = [0, 0, 1]
+[[load]]
+body = "arm"
+set = "end"
+total = [0, 0, 1]
+[[probe]]
+name = "p"
+body = "ball"
+vertex = 7
+)";
+  const Scene scene = parse(text, "scenes/two.toml");
+  ASSERT_EQ(scene.bodies.size(), 3u);
+  EXPECT_EQ(scene.bodies[0].model, "scenes/models/arm.h5");  // from the scene's own folder
+  EXPECT_EQ(scene.bodies[0].model_body, "upper");
+  EXPECT_EQ(scene.bodies[1].model, "/far/ball.h5");
+  EXPECT_TRUE(scene.bodies[2].model.empty());
+  const auto ball = of_body(scene, "ball"), other = of_body(scene, "other");
+  ASSERT_EQ(ball.loads.size(), 1u);
+  EXPECT_EQ(std::get<std::string>(ball.loads[0].target), "tip");
+  EXPECT_EQ(ball.probes.size(), 1u);
+  EXPECT_TRUE(ball.bodies.empty());
+  EXPECT_TRUE(other.loads.empty());
+  EXPECT_TRUE(other.probes.empty());
+  EXPECT_EQ(other.gravity, scene.gravity);  // gravity acts on all
+}
+
 TEST(Scene, TheLeastScenes) {
   const Scene dynamic = read(test::TemporaryScene("time = {step = 1, end = 1}").path());
   EXPECT_FALSE(std::get<Time>(dynamic.analysis).integrator);

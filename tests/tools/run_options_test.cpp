@@ -45,7 +45,8 @@ TEST(RunOptions, HelpNamesEveryOption) {
 
 TEST(RunOptions, BadLines) {
   const std::vector<std::pair<std::vector<const char*>, std::string>> bad = {
-      {{}, "model is required"},
+      {{}, "nothing to run"},
+      {{"--animate-mode", "1"}, "give MODEL.h5"},
       {{"m.h5"}, "nothing to run"},
       {{"m.h5", "--scne", "s"}, "unknown option '--scne'; did you mean '--scene'?"},
       {{"--ouput", "s"}, "did you mean '--output'?"},

@@ -1,6 +1,7 @@
 // Scenes from beginning to end, and the reasons why one may stop.
 #include "ritz/world/run.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -78,6 +79,88 @@ TEST(Run, StaticsEndAtALimitPointAndSayHowFarTheyCame) {
   EXPECT_NEAR(seen.result.failure->t, .5, 1e-3);
   EXPECT_LT(seen.result.failure->softest, .1 * seen.result.failure->softest_at_rest);
   EXPECT_EQ(seen.times.size(), 6u);
+}
+
+/// A scene of bodies "a", "b", ..., each pulled with so many newtons.
+scene::Scene of_several(decltype(scene::Scene::analysis) analysis, const std::vector<double>& newtons) {
+  auto scene = pulled(analysis, 0);
+  scene.loads.clear();
+  for (const double newton : newtons) {
+    const std::string name(1, static_cast<char>('a' + scene.bodies.size()));
+    scene.bodies.push_back({.name = name, .model = {}, .model_body = {}});
+    scene.loads.push_back({.body = name, .target = "tip", .kind = scene::TotalForce{{0, 0, newton}}, .table = {}});
+  }
+  return scene;
+}
+
+struct Told {
+  std::size_t body;
+  double t;
+  Eigen::VectorXd z;
+};
+
+TEST(Run, MovesSeveralBodiesSideBySideAsIfEachWereAlone) {
+  const auto linear = test::sample_model().bodies[0], nonlinear = test::nonlinear_sample_model().bodies[0];
+  const std::vector<const model::Body*> models = {&nonlinear, &linear, &nonlinear};
+  const std::vector<double> newtons = {20, -3, 5};
+  for (const decltype(scene::Scene::analysis) analysis :
+       {decltype(scene::Scene::analysis)(second), {scene::Static{3}}}) {
+    std::vector<Told> told;
+    std::vector<Observer> observers;
+    for (std::size_t i = 0; i < 3; ++i)
+      observers.push_back({.state =
+                               [&told, i](double t, const auto& z) {
+                                 told.push_back({i, t, z});
+                               },
+                           .cost = [](const StepCost&) {}});
+    std::vector<Actor> actors;
+    for (std::size_t i = 0; i < 3; ++i) actors.push_back({models[i], &observers[i]});
+    const auto results = run(of_several(analysis, newtons), actors, Precision::twofold);
+    ASSERT_EQ(results.size(), 3u);
+    for (std::size_t n = 0; n < told.size(); ++n) {
+      EXPECT_EQ(told[n].body, n % 3);
+      EXPECT_EQ(told[n].t, told[n - n % 3].t);
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      std::size_t n = i;
+      const auto alone = run(pulled(analysis, newtons[i]), *models[i], Precision::twofold,
+                             {.state =
+                                  [&](double, const auto& z) {
+                                    ASSERT_LT(n, told.size());
+                                    EXPECT_EQ(told[n].z, z);
+                                    n += 3;
+                                  },
+                              .cost = [](const StepCost&) {}});
+      EXPECT_EQ(n, told.size() + i);
+      EXPECT_EQ(results[i].iterations, alone.iterations);
+      EXPECT_EQ(results[i].energy.has_value(), alone.energy.has_value());
+    }
+  }
+}
+
+TEST(Run, OfSeveralBodiesEndsWithTheFirstThatFails) {
+  const auto body = test::sample_model().bodies[0];
+  const double endless = std::numeric_limits<double>::infinity();
+  auto scene = of_several(second, {1, 1});
+  scene.loads[1].table = scene::Table{{{.25, 0}, {.3, endless}}};
+  int states = 0;
+  const Observer count{.state = [&](double, const auto&) { ++states; }, .cost = [](const StepCost&) {}};
+  const std::vector<Actor> actors(2, Actor{&body, &count});
+  const auto results = run(scene, actors, Precision::twofold);
+  EXPECT_FALSE(results[0].failure);
+  ASSERT_TRUE(results[1].failure);
+  EXPECT_EQ(results[1].failure->step, 3);
+  EXPECT_EQ(states, 7);
+}
+
+TEST(Run, NamesTheBodyThatALoadDoesNotFit) {
+  const auto body = test::sample_model().bodies[0];
+  auto scene = of_several(second, {1, 1});
+  scene.loads[1].target = "tpi";
+  const Observer nobody{.state = [](double, const auto&) {}, .cost = [](const StepCost&) {}};
+  const std::vector<Actor> actors(2, Actor{&body, &nobody});
+  EXPECT_THAT([&] { run(scene, actors, Precision::twofold); },
+              testing::ThrowsMessage<InputError>(testing::StartsWith("body 'b': ")));
 }
 
 }  // namespace

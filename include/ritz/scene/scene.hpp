@@ -1,8 +1,9 @@
-// A scene: what is done to a body, in plain structs. scene_file reads it from TOML; the serial and the parallel
-// programs use it. SI units throughout.
+// A scene: which bodies there are and what is done to them, in plain structs. scene_file reads it from TOML; the serial
+// and the parallel programs use it. SI units throughout.
 #pragma once
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -43,7 +44,15 @@ struct Traction {
   Vector3 pascal;
 };  ///< on a surface set, consistent
 
+/// A body of a scene that names its bodies. Several may be made from one model.
+struct Body {
+  std::string name;
+  std::filesystem::path model;  ///< a model file; empty: the one that the program was given
+  std::string model_body;       ///< which of the bodies in that file; empty: its first
+};
+
 struct Load {
+  std::string body = {};  ///< whom it acts on; empty in a scene that names no bodies
   Target target;
   std::variant<TotalForce, EachForce, Pressure, Traction> kind;
   std::optional<Table> table;  ///< a factor over time; absent: constant 1, in statics the load fraction
@@ -77,7 +86,8 @@ struct Static {
 
 struct Probe {
   std::string name;
-  Target target;  ///< a set: the plain mean over its vertices
+  std::string body = {};  ///< whose displacement it is; empty in a scene that names no bodies
+  Target target;          ///< a set: the plain mean over its vertices
 };
 
 struct Scene {
@@ -85,9 +95,14 @@ struct Scene {
   Damping damping;
   std::optional<Vector3> gravity;  ///< m/s²
   std::optional<Shake> shake;
+  std::vector<Body> bodies = {};  ///< none: there is one body, which has no name
   std::vector<Load> loads;
   std::vector<Probe> probes;
 };
+
+/// What the scene does to the body of that name: a scene without names, with this body's loads and probes alone.
+/// Gravity, shaking and damping are the same for all bodies.
+Scene of_body(const Scene& scene, std::string_view name);
 
 /// How many steps reach `end`; 1e-9 of a step is forgiven, so that 1 s in steps of 0.1 s is ten.
 std::int64_t step_count(const Time& time);

@@ -3,8 +3,12 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
+#include "ritz/base/error.hpp"
 #include "ritz/runtime/statics.hpp"
 #include "ritz/world/body.hpp"
 #include "ritz/world/energy_watch.hpp"
@@ -21,7 +25,7 @@ struct StepCost {
   int rejected = 0;    ///< attempts that did not converge and were halved
 };
 
-/// Is told of every state, the first included, and of what each step took before its state comes.
+/// Is told of every state of a body, the first included, and of what each step took before its state comes.
 struct Observer {
   std::function<void(double t, const Eigen::Ref<const Eigen::VectorXd>& z)> state;
   std::function<void(const StepCost& cost)> cost;
@@ -54,8 +58,29 @@ struct RunResult {
   std::optional<Failure> failure;
 };
 
+/// Does `work`, and puts the name of the body that it is about in front of what an InputError of it says. Without a
+/// name: as it is.
+template <class Work>
+void naming(const std::string& body, Work work) try {
+  work();
+} catch (const InputError& error) {
+  if (body.empty()) throw;
+  throw InputError("body '" + body + "': " + error.what(), error.reason);
+}
+
+/// A body of a scene: what it is made from, and who is told of it. Both must outlive the run.
+struct Actor {
+  const model::Body* body;
+  const Observer* observer;
+};
+
 /// From rest at t = 0 to the scene's end, or through load fractions 0, 1/steps, ... 1, between which the load goes
-/// straight. Throws InputError for what the scene asks of a body that it cannot do.
+/// straight. The actors stand in the order of scene.bodies; of a scene that names none there is one. All bodies make a
+/// step before any makes the next, and the first failure ends the run. Bodies made from one model::Body share its
+/// equation. Returns a result a body. Throws InputError for what the scene asks of a body that it cannot do.
+std::vector<RunResult> run(const scene::Scene& scene, std::span<const Actor> actors, Precision precision);
+
+/// The same for a scene of one body.
 RunResult run(const scene::Scene& scene, const model::Body& body, Precision precision, const Observer& observer);
 
 }  // namespace ritz::world
