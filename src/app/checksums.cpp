@@ -8,17 +8,14 @@
 
 #include "ritz/base/error.hpp"
 #include "ritz/base/random.hpp"
+#include "ritz/base/shown.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/parallel/guard.hpp"
 
 namespace ritz::app {
 namespace {
 
-std::string hexadecimal(std::uint64_t x) {
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(x));
-  return text;
-}
+std::string hexadecimal(std::uint64_t x) { return formatted("%016llx", static_cast<unsigned long long>(x)); }
 
 std::uint64_t hash_of(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);

@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "ritz/app/estimate.hpp"
+#include "ritz/base/shown.hpp"
 #include "ritz/files/summary.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/petsc/panel.hpp"
@@ -86,10 +87,6 @@ ModesEstimate estimate_modes(const Workload& work) {
   return work.modes.strategy == stages::Strategy::iterative ? iterative(work) : direct(work);
 }
 
-std::string shown_seconds(double seconds) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f s", seconds);
-  return text;
-}
+std::string shown_seconds(double seconds) { return formatted("%.1f s", seconds); }
 
 }  // namespace ritz::app

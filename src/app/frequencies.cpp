@@ -1,25 +1,14 @@
 #include "ritz/app/frequencies.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdarg>
-#include <numbers>
+
+#include "ritz/base/shown.hpp"
+#include "ritz/format/names.hpp"
 
 namespace ritz::app {
 namespace {
 
 constexpr Eigen::Index most_rows = 30;  ///< of the printed table
-
-std::string formatted(const char* format, ...) __attribute__((format(printf, 1, 2)));
-
-std::string formatted(const char* format, ...) {
-  char text[256];
-  va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(text, sizeof text, format, arguments);
-  va_end(arguments);
-  return text;
-}
 
 std::string participation(const model::Inertia& inertia, Eigen::Index modes) {
   const Eigen::MatrixXd factors = inertia.participation_factors();
@@ -33,28 +22,19 @@ std::string participation(const model::Inertia& inertia, Eigen::Index modes) {
   return text;
 }
 
-}  // namespace
-
-double frequency(double eigenvalue) { return std::sqrt(std::max(0.0, eigenvalue)) / (2 * std::numbers::pi); }
-
-const char* word(model::ModeKind kind) { return kind == model::ModeKind::rigid ? "rigid" : "flexible"; }
-
-const char* word(model::Certified certified) {
-  switch (certified) {
-    case model::Certified::no: return "no";
-    case model::Certified::probabilistic: return "probabilistic";
-    case model::Certified::inertia_f32: return "inertia-f32";
-    case model::Certified::inertia: break;
-  }
-  return "inertia";
+/// "rigid" or "flexible".
+const char* kind_of(const model::Modes& modes, Eigen::Index i) {
+  return format::name(modes.kinds[static_cast<std::size_t>(i)]).data();
 }
 
+}  // namespace
+
 std::string frequencies_csv(const model::Modes& modes) {
+  const std::string certified(format::name(modes.certificate.kind));
   std::string text = "index,kind,frequency_hz,eigenvalue,residual,certified\n";
   for (Eigen::Index i = 0; i < modes.eigenvalues.size(); ++i)
-    text += formatted("%td,%s,%.15g,%.15g,%.15g,%s\n", i + 1, word(modes.kinds[static_cast<std::size_t>(i)]),
-                      frequency(modes.eigenvalues[i]), modes.eigenvalues[i], modes.residuals[i],
-                      word(modes.certificate.kind));
+    text += formatted("%td,%s,%.15g,%.15g,%.15g,%s\n", i + 1, kind_of(modes, i), model::frequency(modes.eigenvalues[i]),
+                      modes.eigenvalues[i], modes.residuals[i], certified.c_str());
   return text;
 }
 
@@ -72,8 +52,8 @@ std::string modes_lines(const model::Modes& modes, const model::Inertia& inertia
   text += moving ? "   effective mass x      y      z\n" : "\n";
   const auto shown = std::min(most_rows, modes.eigenvalues.size());
   for (Eigen::Index i = 0; i < shown; ++i) {
-    text += formatted("%6td  %-8s %14.7g  %10.2e", i + 1, word(modes.kinds[static_cast<std::size_t>(i)]),
-                      frequency(modes.eigenvalues[i]), modes.residuals[i]);
+    text += formatted("%6td  %-8s %14.7g  %10.2e", i + 1, kind_of(modes, i), model::frequency(modes.eigenvalues[i]),
+                      modes.residuals[i]);
     text += moving ? formatted("          %6.2f %% %6.2f %6.2f\n", 100 * masses(i, 0) / mass, 100 * masses(i, 1) / mass,
                                100 * masses(i, 2) / mass)
                    : "\n";
@@ -89,7 +69,7 @@ std::string modes_lines(const model::Modes& modes, const model::Inertia& inertia
   if (c.kind == model::Certified::inertia)
     text +=
         formatted("certified: %lld eigenvalues lie below (%.6g Hz)^2 by the inertia of K - sigma M, %lld were found\n",
-                  static_cast<long long>(c.counted), frequency(c.shift), static_cast<long long>(c.found));
+                  static_cast<long long>(c.counted), model::frequency(c.shift), static_cast<long long>(c.found));
   else if (std::ranges::count(modes.kinds, model::ModeKind::flexible) > 0)
     text += "not certified: without a factorization nothing counts the modes; -solver direct does\n";
   return text;

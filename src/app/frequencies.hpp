@@ -9,14 +9,6 @@ namespace ritz::app {
 /// "index,kind,frequency_hz,eigenvalue,residual,certified", a row a mode, 15 digits.
 std::string frequencies_csv(const model::Modes& modes);
 
-/// √λ / 2π, Hz.
-double frequency(double eigenvalue);
-
-/// "rigid" or "flexible".
-const char* word(model::ModeKind kind);
-/// "no", "probabilistic", "inertia-f32" or "inertia".
-const char* word(model::Certified certified);
-
 /// The first modes, the certificate, and the masses that move with them, for people. `inertia`: over the modes, or over
 /// no columns where their vectors are not at hand; the masses that move with them are then left out.
 std::string modes_lines(const model::Modes& modes, const model::Inertia& inertia);

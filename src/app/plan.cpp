@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "ritz/base/counted.hpp"
+#include "ritz/base/shown.hpp"
 #include "ritz/parallel/comm.hpp"
 
 namespace ritz::app {
@@ -19,9 +20,7 @@ double rough_factor_bytes(double N, stages::InverseUse use) {
 }
 
 std::string row(const std::string& stage, double seconds, const std::string& what) {
-  char text[200];
-  std::snprintf(text, sizeof text, "  %-12s %8.1f s   %s", stage.c_str(), seconds, what.c_str());
-  return text;
+  return formatted("  %-12s %8.1f s   %s", stage.c_str(), seconds, what.c_str());
 }
 
 }  // namespace
@@ -56,14 +55,12 @@ Plan make_plan(const config::Config& config, const stages::Problem& problem, con
 }
 
 void print_plan(MPI_Comm comm, const Plan& plan, const Progress& progress) {
-  char total[160];
-  std::snprintf(total, sizeof total, "  %-12s %8.1f s   %.2f GB a rank at most, %.2f GB over %s", "in all",
-                plan.seconds, plan.memory.largest_rank / 1e9, plan.memory.all_ranks / 1e9,
-                counted(parallel::size(comm), "rank", "ranks").c_str());
+  const auto memory = formatted("%.2f GB a rank at most, %.2f GB over %s", plan.memory.largest_rank / 1e9,
+                                plan.memory.all_ranks / 1e9, counted(parallel::size(comm), "rank", "ranks").c_str());
   progress.line("plan: what these options need (nothing has been solved)");
   for (const auto& stage : progress.seconds()) progress.line(row(stage.stage, stage.seconds, "done for this plan"));
   for (const auto& stage : plan.stages) progress.line(row(stage.stage, stage.seconds, stage.how));
-  progress.line(total);
+  progress.line(row("in all", plan.seconds, memory));
 }
 
 }  // namespace ritz::app

@@ -10,6 +10,7 @@
 #include <exception>
 
 #include "ritz/base/printable.hpp"
+#include "ritz/base/shown.hpp"
 #include "ritz/parallel/comm.hpp"
 
 namespace ritz::app {
@@ -61,8 +62,7 @@ Progress::Timer::~Timer() {
   if (progress.speaks_ && progress.terminal_) std::printf("%s", erase_line);
   if (std::uncaught_exceptions() > exceptions) return;
   progress.seconds_.push_back({name, seconds});
-  char text[160];
-  std::snprintf(text, sizeof text, "%-12s %8.2f s", name.c_str(), seconds);
+  const auto text = formatted("%-12s %8.2f s", name.c_str(), seconds);
   progress.line(progress.terminal_ ? text : date() + "  " + text);
 }
 

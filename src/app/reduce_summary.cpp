@@ -1,65 +1,27 @@
 #include "ritz/app/reduce_summary.hpp"
 
-#include <algorithm>
-
-#include "ritz/app/frequencies.hpp"
+#include "ritz/format/summaries.hpp"
 
 namespace ritz::app {
 namespace {
 
-using Eigen::Index;
 using files::Json, files::json_list;
 
-Json rows_of(const Eigen::MatrixXd& matrix) {
-  Json::Array rows;
-  for (Index i = 0; i < matrix.rows(); ++i) rows.emplace_back(json_list(matrix.row(i)));
-  return rows;
-}
-
-Json inertia_summary(const model::Inertia& inertia) {
-  return Json::Object{{"centre_of_mass", json_list(inertia.centre_of_mass())}, {"tensor", rows_of(inertia.tensor())}};
-}
-
-Json certificate_summary(const model::Certificate& certificate) {
-  return Json::Object{{"kind", word(certificate.kind)},
-                      {"shift", certificate.shift},
-                      {"shift_hz", frequency(certificate.shift)},
-                      {"counted", certificate.counted},
-                      {"found", certificate.found}};
-}
-
+/// What ritz-reduce knows of its modes: also who found them.
 Json modes_summary(const stages::ModesResult& result, const model::Inertia& inertia) {
-  const model::Modes& modes = result.modes;
-  const auto rigid = std::ranges::count(modes.kinds, model::ModeKind::rigid);
-  Json::Array kinds, frequencies;
-  for (const auto kind : modes.kinds) kinds.emplace_back(word(kind));
-  for (const double eigenvalue : modes.eigenvalues) frequencies.emplace_back(frequency(eigenvalue));
-  const Eigen::MatrixXd masses = inertia.effective_masses();
-  const bool moving = masses.rows() == modes.eigenvalues.size();
-  return Json::Object{{"rigid", rigid},
-                      {"flexible", modes.eigenvalues.size() - rigid},
-                      {"solver", result.strategy == stages::Strategy::direct ? "direct" : "iterative"},
-                      {"iterations", result.iterations},
-                      {"orthonormality", modes.orthonormality},
-                      {"certificate", certificate_summary(modes.certificate)},
-                      {"kind", std::move(kinds)},
-                      {"frequency_hz", std::move(frequencies)},
-                      {"eigenvalue", json_list(modes.eigenvalues)},
-                      {"residual", json_list(modes.residuals)},
-                      {"effective_mass", moving ? rows_of(masses) : nullptr},
-                      {"participation", moving ? rows_of(inertia.participation_factors()) : nullptr}};
+  const bool at_hand = inertia.effective_masses().rows() == result.modes.eigenvalues.size();
+  auto members = format::summary(result.modes, at_hand ? &inertia : nullptr);
+  members.emplace_back("solver", result.strategy == stages::Strategy::direct ? "direct" : "iterative");
+  members.emplace_back("iterations", result.iterations);
+  return members;
 }
 
 Json basis_summary(const ReducedBasis& basis, const model::Inertia& inertia) {
   if (!basis.reduction) return nullptr;
-  const auto& sigma = basis.reduction->singular_values;
-  const Index columns = basis.reduction->stiffness.size();
-  return Json::Object{{"columns", columns},
-                      {"singular_values_kept", json_list(sigma.head(columns))},
-                      {"singular_values_left_out", json_list(sigma.tail(sigma.size() - columns))},
-                      {"discarded", basis.reduction->discarded},
-                      {"orthonormality", basis.figures.orthonormality},
-                      {"effective_mass", json_list(Eigen::Vector3d(inertia.effective_masses().colwise().sum()))}};
+  auto members = format::summary(*basis.reduction);
+  members.emplace_back("orthonormality", basis.figures.orthonormality);
+  members.emplace_back("effective_mass", json_list(Eigen::Vector3d(inertia.effective_masses().colwise().sum())));
+  return members;
 }
 
 Json derivatives_summary(const BasisFigures& figures) {
@@ -81,12 +43,10 @@ Json accuracy_summary(const std::optional<Accuracy>& accuracy) {
 Json polynomial_summary(const std::optional<ReducedPolynomial>& polynomial) {
   if (!polynomial) return nullptr;
   const auto& [value, errors] = *polynomial;
-  return Json::Object{
-      {"coordinates", value.r},
-      {"quadratic", value.quadratic.size()},
-      {"cubic", value.cubic.size()},
-      {"quartic", value.quartic.size()},
-      {"witness", Json::Object{{"force", errors.force}, {"energy", errors.energy}, {"stiffness", errors.stiffness}}}};
+  auto members = format::summary(value);
+  members.emplace_back(
+      "witness", Json::Object{{"force", errors.force}, {"energy", errors.energy}, {"stiffness", errors.stiffness}});
+  return members;
 }
 
 const char* reused(const Earlier& earlier) {
@@ -107,7 +67,7 @@ files::Json::Object beginning(const config::Config& config, const stages::Proble
 files::Json::Object model_summary(const config::Config& config, const stages::Problem& problem, const Earlier& earlier,
                                   const Results& results, const model::Inertia& of_modes, const Progress& progress) {
   auto summary = beginning(config, problem, earlier, progress);
-  summary.emplace_back("inertia", inertia_summary(results.inertia));
+  summary.emplace_back("inertia", format::summary(results.inertia));
   summary.emplace_back("modes", modes_summary(results.modes, of_modes));
   summary.emplace_back("basis", basis_summary(results.basis, results.inertia));
   summary.emplace_back("derivatives", derivatives_summary(results.basis.figures));

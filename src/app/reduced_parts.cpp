@@ -5,6 +5,7 @@
 
 #include "ritz/app/snapshots.hpp"
 #include "ritz/base/error.hpp"
+#include "ritz/base/shown.hpp"
 #include "ritz/stages/reduce_polynomial.hpp"
 
 namespace ritz::app {
@@ -13,13 +14,6 @@ namespace {
 /// Of whoever asks for a polynomial of other laws the options have been refused before.
 stages::PolynomialLaws polynomial_laws(const stages::Problem& problem) {
   return stages::polynomial_laws(problem.materials).value();
-}
-
-template <class... Values>
-std::string line(const char* format, Values... values) {
-  char text[256];
-  std::snprintf(text, sizeof text, format, values...);
-  return text;
 }
 
 double taylor(const stages::Problem& problem, const stages::ModesResult& modes, const std::vector<int>& chosen) {
@@ -75,23 +69,25 @@ std::string basis_lines(const ReducedBasis& basis, const std::optional<ReducedPo
                         const model::Inertia& inertia) {
   if (!basis.reduction) return "";
   const auto& sigma = basis.reduction->singular_values;
-  std::string text = line("basis: %td columns; singular values %.3g ... %.3g of %td found, %.3g left out\n",
-                          basis.reduction->stiffness.size(), sigma[0], sigma[basis.reduction->stiffness.size() - 1],
-                          sigma.size(), basis.reduction->discarded);
+  std::string text = formatted("basis: %td columns; singular values %.3g ... %.3g of %td found, %.3g left out\n",
+                               basis.reduction->stiffness.size(), sigma[0],
+                               sigma[basis.reduction->stiffness.size() - 1], sigma.size(), basis.reduction->discarded);
   const Eigen::RowVector3d masses = 100 / inertia.mass() * inertia.effective_masses().colwise().sum();
-  text += line("effective mass of the basis, all columns: %.2f %% %.2f %.2f\n", masses[0], masses[1], masses[2]);
+  text += formatted("effective mass of the basis, all columns: %.2f %% %.2f %.2f\n", masses[0], masses[1], masses[2]);
   const auto& [orthonormality, derivatives, taylor_slope, accuracy] = basis.figures;
   if (derivatives)
-    text +=
-        line("modal derivatives: %d pairs, %d solved, %d too small to matter; Taylor slope %.3f\n", derivatives->pairs,
-             derivatives->solved, derivatives->pairs - derivatives->solved, taylor_slope.value_or(0));
+    text += formatted("modal derivatives: %d pairs, %d solved, %d too small to matter; Taylor slope %.3f\n",
+                      derivatives->pairs, derivatives->solved, derivatives->pairs - derivatives->solved,
+                      taylor_slope.value_or(0));
   if (accuracy)
-    text += line("accuracy: %d columns of %d modes and their derivatives; error on the static path %.2e (%.2e asked)\n",
-                 accuracy->reached.columns, accuracy->reached.modes, accuracy->reached.error, accuracy->target);
+    text += formatted(
+        "accuracy: %d columns of %d modes and their derivatives; error on the static path %.2e (%.2e asked)\n",
+        accuracy->reached.columns, accuracy->reached.modes, accuracy->reached.error, accuracy->target);
   if (polynomial)
-    text += line("polynomial: %td quartic coefficients; against the full model: force %.1e, energy %.1e, K(0) %.1e\n",
-                 polynomial->value.quartic.size(), polynomial->errors.force, polynomial->errors.energy,
-                 polynomial->errors.stiffness);
+    text +=
+        formatted("polynomial: %td quartic coefficients; against the full model: force %.1e, energy %.1e, K(0) %.1e\n",
+                  polynomial->value.quartic.size(), polynomial->errors.force, polynomial->errors.energy,
+                  polynomial->errors.stiffness);
   return text;
 }
 

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "ritz/base/counted.hpp"
+#include "ritz/base/shown.hpp"
 #include "ritz/files/summary.hpp"
 #include "ritz/parallel/comm.hpp"
 
@@ -34,10 +35,7 @@ Memory peak_memory(MPI_Comm comm) {
 
 std::string peak_memory_line(MPI_Comm comm) {
   const double total = peak_memory(comm).all_ranks;
-  char text[96];
-  std::snprintf(text, sizeof text, "peak memory %.2f GB over %s", total / 1e9,
-                counted(parallel::size(comm), "rank", "ranks").c_str());
-  return text;
+  return formatted("peak memory %.2f GB over %s", total / 1e9, counted(parallel::size(comm), "rank", "ranks").c_str());
 }
 
 }  // namespace ritz::app

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "ritz/base/error.hpp"
+#include "ritz/base/shown.hpp"
 #include "ritz/runtime/statics.hpp"
 
 namespace ritz::stages {
@@ -105,15 +106,15 @@ SizedError smallest(const Question& in, const Principal& set, int count, int lim
 }
 
 [[noreturn]] void give_up(const SizedError& best, int modes) {
-  char text[300], reached[120] = "none of them can represent the path to that";
-  if (best.error < nothing_found)
-    std::snprintf(reached, sizeof reached, "the best, %d columns of %d modes and their derivatives, reached %.2e",
-                  best.columns, best.modes, best.error);
-  std::snprintf(
-      text, sizeof text,
-      "no basis of the first %d flexible modes and their derivatives is that accurate on the static path (%s)", modes,
-      reached);
-  throw NumericalError(text, Reason::accuracy_out_of_reach);
+  const auto reached = best.error < nothing_found
+                           ? formatted("the best, %d columns of %d modes and their derivatives, reached %.2e",
+                                       best.columns, best.modes, best.error)
+                           : "none of them can represent the path to that";
+  throw NumericalError(
+      formatted(
+          "no basis of the first %d flexible modes and their derivatives is that accurate on the static path (%s)",
+          modes, reached.c_str()),
+      Reason::accuracy_out_of_reach);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "ritz/base/error.hpp"
+#include "ritz/base/shown.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/petsc/handle.hpp"
 
@@ -24,10 +25,9 @@ Eigen::ArrayXd dots(MPI_Comm comm, const petsc::Tall& a, const petsc::Tall& b) {
 Eigen::ArrayXd quotient(const Eigen::ArrayXd& a, const Eigen::ArrayXd& b) { return (b > 0).select(a / b, 0); }
 
 [[noreturn]] void fail(double residual) {
-  char text[200];
-  std::snprintf(text, sizeof text, "solving with K did not converge: relative residual %.2e after %d iterations",
-                residual, most_iterations);
-  throw NumericalError(text, Reason::iterative_solver_failed);
+  throw NumericalError(formatted("solving with K did not converge: relative residual %.2e after %d iterations",
+                                 residual, most_iterations),
+                       Reason::iterative_solver_failed);
 }
 
 }  // namespace

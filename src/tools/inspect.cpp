@@ -6,6 +6,7 @@
 #include "inspect_body.hpp"
 #include "inspect_text.hpp"
 #include "ritz/base/printable.hpp"
+#include "ritz/base/shown.hpp"
 #include "ritz/format/contents.hpp"
 #include "ritz/format/parts.hpp"
 
@@ -47,7 +48,7 @@ void describe_report(const format::ModelReader& in, const std::string& body, std
   for (const auto& [stage, seconds] : report.seconds)
     out << "  " << padded(printable(stage), 38) << ' ' << duration(seconds) << '\n';
   for (const auto& [name, value] : report.figures)
-    out << "  " << padded(printable(name), 38) << ' ' << text("%.10g\n", value);
+    out << "  " << padded(printable(name), 38) << ' ' << formatted("%.10g\n", value);
   for (const auto& note : report.notes) out << "  note: " << printable(note) << '\n';
 }
 
@@ -89,7 +90,7 @@ void describe_datasets(const std::vector<format::DatasetInfo>& datasets, std::os
   std::size_t width = 0;
   for (const auto& line : lines) width = std::max(width, line.path.size());
   for (const auto& line : lines)
-    out << "  " << padded(line.path, width) << text("  %14s  %10s  ", line.shape.c_str(), line.size.c_str())
+    out << "  " << padded(line.path, width) << formatted("  %14s  %10s  ", line.shape.c_str(), line.size.c_str())
         << line.units << '\n';
 }
 

@@ -1,13 +1,12 @@
 #include "inspect_body.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
-#include <numbers>
 #include <ostream>
 
 #include "inspect_text.hpp"
 #include "ritz/base/printable.hpp"
+#include "ritz/base/shown.hpp"
 #include "ritz/format/names.hpp"
 
 namespace ritz::tools {
@@ -16,6 +15,22 @@ namespace {
 
 std::string heading(const char* part) { return "\n  " + padded(part, 12); }
 std::ostream& item(std::ostream& out) { return out << "              "; }
+
+std::string material_text(const fem::Material& material) {
+  const auto elastic = material.at_rest();
+  const std::string name = fem::name(material.law);
+  return (name == fem::default_law ? "" : " " + name) +
+         formatted(" E %.6g Pa, ν %.6g, ρ %.6g kg/m³\n", elastic.young(), elastic.poisson(), material.density);
+}
+
+std::string certificate_text(const model::Certificate& c) {
+  if (c.kind == model::Certified::no) return "not certified: modes may be missing";
+  const auto name = std::string(format::name(c.kind));
+  return formatted("certified (%s): %s eigenvalues below %.6g rad²/s² (%.6g Hz), %s found", name.c_str(),
+                   grouped(c.counted).c_str(), c.shift, model::frequency(c.shift), grouped(c.found).c_str());
+}
+
+}  // namespace
 
 std::string cell_name(std::uint8_t vtk) {
   switch (vtk) {
@@ -29,24 +44,6 @@ std::string cell_name(std::uint8_t vtk) {
   }
 }
 
-double hertz(double eigenvalue) { return std::sqrt(std::max(0.0, eigenvalue)) / (2 * std::numbers::pi); }
-
-std::string material_text(const fem::Material& material) {
-  const auto elastic = material.at_rest();
-  const std::string name = fem::name(material.law);
-  return (name == fem::default_law ? "" : " " + name) +
-         text(" E %.6g Pa, ν %.6g, ρ %.6g kg/m³\n", elastic.young(), elastic.poisson(), material.density);
-}
-
-std::string certificate_text(const model::Certificate& c) {
-  if (c.kind == model::Certified::no) return "not certified: modes may be missing";
-  const auto name = std::string(format::name(c.kind));
-  return text("certified (%s): %s eigenvalues below %.6g rad²/s² (%.6g Hz), %s found", name.c_str(),
-              grouped(c.counted).c_str(), c.shift, hertz(c.shift), grouped(c.found).c_str());
-}
-
-}  // namespace
-
 void describe_geometry(const model::Geometry& g, std::ostream& out) {
   out << heading("geometry") << grouped(g.points.rows()) << " vertices";
   if (g.rows == model::Rows::surface) out << " of the surface, of " << grouped(g.full_vertices) << " in the mesh";
@@ -56,8 +53,8 @@ void describe_geometry(const model::Geometry& g, std::ostream& out) {
   for (const auto& [type, count] : counts) item(out) << grouped(count) << ' ' << cell_name(type) << " cells\n";
   if (g.points.rows() > 0) {
     const Eigen::RowVector3d low = g.points.colwise().minCoeff(), high = g.points.colwise().maxCoeff();
-    item(out) << text("box  x %.6g … %.6g   y %.6g … %.6g   z %.6g … %.6g m\n", low[0], high[0], low[1], high[1],
-                      low[2], high[2]);
+    item(out) << formatted("box  x %.6g … %.6g   y %.6g … %.6g   z %.6g … %.6g m\n", low[0], high[0], low[1], high[1],
+                           low[2], high[2]);
   }
   for (const auto& [region, m] : g.materials)
     item(out) << "material " << padded(printable(region), 16) << material_text(m);
@@ -78,13 +75,13 @@ void describe_modes(const model::Modes& modes, std::ostream& out) {
   const auto flexible = std::ssize(modes.kinds) - rigid;
   out << heading("modes") << rigid << " rigid, " << flexible << " flexible\n";
   item(out) << certificate_text(modes.certificate) << '\n';
-  item(out) << text("mass-orthonormal to %.1e\n\n", modes.orthonormality);
+  item(out) << formatted("mass-orthonormal to %.1e\n\n", modes.orthonormality);
   item(out) << "mode  kind       frequency, Hz   eigenvalue, rad²/s²   residual\n";
   for (Eigen::Index i = 0; i < modes.eigenvalues.size(); ++i) {
     const auto at = static_cast<std::size_t>(i);
     const double value = modes.eigenvalues[i];
-    item(out) << text("%4td  %-8s %15.7g   %19.10g   %8.1e%s\n", i + 1, format::name(modes.kinds[at]).data(),
-                      hertz(value), value, modes.residuals[i], modes.floor_applies[at] ? " *" : "");
+    item(out) << formatted("%4td  %-8s %15.7g   %19.10g   %8.1e%s\n", i + 1, format::name(modes.kinds[at]).data(),
+                           model::frequency(value), value, modes.residuals[i], modes.floor_applies[at] ? " *" : "");
   }
   if (std::ranges::count(modes.floor_applies, 1) > 0)
     item(out) << "* held to the rounding floor 10 ε‖K‖‖ψ‖, which is above the usual gate\n";
@@ -94,10 +91,11 @@ void describe_reduction(const model::Reduction& reduction, std::ostream& out) {
   const auto r = reduction.stiffness.size();
   const auto& sigma = reduction.singular_values;
   out << heading("reduction") << r << " columns of " << sigma.size() << " that were found\n";
-  if (r > 0) item(out) << text("λ of UᵀKU %.6g … %.6g rad²/s²\n", reduction.stiffness[0], reduction.stiffness[r - 1]);
+  if (r > 0)
+    item(out) << formatted("λ of UᵀKU %.6g … %.6g rad²/s²\n", reduction.stiffness[0], reduction.stiffness[r - 1]);
   if (r > 0 && sigma.size() >= r)
-    item(out) << text("singular values %.6g … %.6g, of what is left out %.3g\n", sigma[0], sigma[r - 1],
-                      reduction.discarded);
+    item(out) << formatted("singular values %.6g … %.6g, of what is left out %.3g\n", sigma[0], sigma[r - 1],
+                           reduction.discarded);
 }
 
 void describe_polynomial(const model::Polynomial& p, std::ostream& out) {
@@ -109,13 +107,13 @@ void describe_polynomial(const model::Polynomial& p, std::ostream& out) {
 
 void describe_inertia(const model::Inertia& inertia, std::ostream& out) {
   const auto centre = inertia.centre_of_mass();
-  out << heading("inertia") << text("mass    %.9g kg\n", inertia.mass());
-  item(out) << text("centre  %.9g  %.9g  %.9g m\n", centre[0], centre[1], centre[2]);
+  out << heading("inertia") << formatted("mass    %.9g kg\n", inertia.mass());
+  item(out) << formatted("centre  %.9g  %.9g  %.9g m\n", centre[0], centre[1], centre[2]);
   const auto tensor = inertia.tensor();
   for (int i = 0; i < 3; ++i)
     item(out) << (i == 0 ? "tensor" : "      ")
-              << text("%15.6g %15.6g %15.6g%s\n", tensor(i, 0), tensor(i, 1), tensor(i, 2),
-                      i == 0 ? "  kg m², about the centre" : "");
+              << formatted("%15.6g %15.6g %15.6g%s\n", tensor(i, 0), tensor(i, 1), tensor(i, 2),
+                           i == 0 ? "  kg m², about the centre" : "");
   const auto effective = inertia.effective_masses();
   if (effective.rows() == 0) return;
   out << '\n';
@@ -123,7 +121,7 @@ void describe_inertia(const model::Inertia& inertia, std::ostream& out) {
   item(out) << "column         x         y         z\n";
   const auto row = [&](const std::string& name, const Eigen::RowVector3d& masses) {
     const Eigen::RowVector3d share = 100 / inertia.mass() * masses;
-    item(out) << text("%6s %9.4f %9.4f %9.4f\n", name.c_str(), share[0], share[1], share[2]);
+    item(out) << formatted("%6s %9.4f %9.4f %9.4f\n", name.c_str(), share[0], share[1], share[2]);
   };
   for (Eigen::Index i = 0; i < effective.rows(); ++i) row(std::to_string(i + 1), effective.row(i));
   row("sum", effective.colwise().sum());
@@ -131,8 +129,8 @@ void describe_inertia(const model::Inertia& inertia, std::ostream& out) {
   item(out) << "participation factors UᵀMR: along x y z, √kg; about x y z through the centre, √kg m\n";
   const Eigen::MatrixXd factors = inertia.participation_factors();
   for (Eigen::Index i = 0; i < factors.rows(); ++i) {
-    item(out) << text("%6td", i + 1);
-    for (const double factor : factors.row(i)) out << text(" %11.4g", factor);
+    item(out) << formatted("%6td", i + 1);
+    for (const double factor : factors.row(i)) out << formatted(" %11.4g", factor);
     out << '\n';
   }
 }
@@ -142,7 +140,7 @@ void describe_loads(const std::vector<model::SetLoad>& loads, std::ostream& out)
   out << heading("loads") << "on " << loads.size() << " sets\n";
   for (const auto& load : loads) {
     item(out) << padded(printable(load.set), 16) << ' ' << grouped(load.vertices) << " vertices";
-    if (load.has_surface) out << text(", surface of %.6g m²", load.area);
+    if (load.has_surface) out << formatted(", surface of %.6g m²", load.area);
     out << '\n';
   }
 }

@@ -6,6 +6,9 @@
 
 namespace ritz::tools {
 
+/// "tet4"; of cells that ritz does not know "VTK type 13".
+std::string cell_name(std::uint8_t vtk_type);
+
 void describe_geometry(const model::Geometry& geometry, std::ostream& out);
 void describe_basis(const format::BasisSize& size, std::ostream& out);
 /// A row a mode: kind, frequency, residual; and what certifies that none is missing.

@@ -2,19 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdarg>
-#include <cstdio>
+
+#include "ritz/base/shown.hpp"
 
 namespace ritz::tools {
-
-std::string text(const char* format, ...) {
-  std::array<char, 512> buffer{};
-  va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(buffer.data(), buffer.size(), format, arguments);
-  va_end(arguments);
-  return buffer.data();
-}
 
 std::string grouped(std::int64_t number) {
   auto digits = std::to_string(number);
@@ -29,14 +20,14 @@ std::string byte_size(std::uint64_t bytes) {
   double value = static_cast<double>(bytes) / 1000;
   std::size_t unit = 0;
   for (; value >= 999.95 && unit + 1 < units.size(); ++unit) value /= 1000;
-  return text("%.1f %s", value, units[unit]);
+  return formatted("%.1f %s", value, units[unit]);
 }
 
 std::string duration(double seconds) {
-  if (seconds < 100) return text("%.3g s", seconds);
+  if (seconds < 100) return formatted("%.3g s", seconds);
   const auto whole = static_cast<long>(seconds + 0.5);
-  if (whole < 3600) return text("%ld min %ld s", whole / 60, whole % 60);
-  return text("%ld h %ld min", whole / 3600, whole % 3600 / 60);
+  if (whole < 3600) return formatted("%ld min %ld s", whole / 60, whole % 60);
+  return formatted("%ld h %ld min", whole / 3600, whole % 3600 / 60);
 }
 
 std::string shape_text(const std::vector<std::int64_t>& lengths) {

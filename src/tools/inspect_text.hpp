@@ -6,9 +6,6 @@
 
 namespace ritz::tools {
 
-/// printf into a string.
-[[gnu::format(printf, 1, 2)]] std::string text(const char* format, ...);
-
 std::string grouped(std::int64_t number);                          ///< 50 625
 std::string byte_size(std::uint64_t bytes);                        ///< 21.6 kB
 std::string duration(double seconds);                              ///< 0.25 s, 12.3 s, 4 min 10 s

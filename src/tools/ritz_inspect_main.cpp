@@ -2,12 +2,15 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <new>
+#include <optional>
 
 #include "command_line.hpp"
 #include "inspect.hpp"
 #include "inspect_check.hpp"
+#include "inspect_summary.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/base/printable.hpp"
+#include "ritz/files/interruption.hpp"
 #include "ritz/format/library.hpp"
 
 namespace {
@@ -29,14 +32,19 @@ int main(int argc, char** argv) {
   using namespace ritz;
   format::silence_library();
   CLI::App app("Says what is in a reduced model: parts, frequencies, inertia, where it came from.", "ritz-inspect");
-  std::string path;
+  std::filesystem::path path, summary;
   bool check = false;
   app.add_option("model", path, "The model file, as ritz-reduce wrote it")->required();
   app.add_flag("--check", check, "Verify checksums and invariants instead; exit code 2 when one fails");
+  app.add_option("--summary", summary, "Write what is in it, as numbers: docs/summary.md")->type_name("FILE.json");
   try {
     tools::parse(app, argc, argv);
-    const format::ModelReader in{std::filesystem::path(path)};
-    check ? tools::check(in, std::cout) : tools::describe(in, std::cout);
+    if (!summary.empty()) files::watch_interruptions("ritz-inspect");
+    const format::ModelReader in(path);
+    std::optional<std::vector<tools::CheckedBody>> checked;
+    if (check) checked = tools::check(in, std::cout);
+    else tools::describe(in, std::cout);
+    if (!summary.empty()) tools::write_summary(tools::summary(in, checked), summary, in);
     return said();
   } catch (const CLI::CallForHelp& help) {
     app.exit(help);

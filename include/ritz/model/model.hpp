@@ -56,6 +56,9 @@ struct Basis {
 enum class ModeKind : std::uint8_t { rigid, flexible };
 enum class Certified : std::uint8_t { no, probabilistic, inertia_f32, inertia };
 
+/// √λ / 2π, Hz; 0 where λ is negative, by rounding.
+double frequency(double eigenvalue);
+
 /// Where the number of modes below `shift` was counted.
 struct Certificate {
   Certified kind = Certified::no;
