@@ -142,7 +142,7 @@ std::vector<int64_t> FileGeometry::to_file(MPI_Comm comm, std::span<const int64_
 }
 
 parallel::RowMatrix by_vertex(mesh::VertexRef u) {
-  return Eigen::Map<const parallel::RowMatrix>(u.data(), u.rows() / 3, 3);
+  return Eigen::Map<const parallel::RowMatrix>(u.data(), u.rows() / mesh::components, mesh::components);
 }
 
 FileGeometry file_geometry(const mesh::Mesh& mesh, const fem::Materials& materials, config::StoredRows rows) {

@@ -103,7 +103,7 @@ LastState read_last_state(const std::filesystem::path& path, const mesh::Mesh& m
   const auto mine = parallel::from_slices(mesh.comm, order, rows, mesh.vertices_total);
   Eigen::Index part = 0;
   for (mesh::VertexRows* column : {&state.u, &state.v, &state.a}) {
-    const parallel::RowMatrix three = mine.middleCols(3 * part++, 3);
+    const parallel::RowMatrix three = mine.middleCols(mesh::components * part++, mesh::components);
     *column = Eigen::Map<const petsc::Tall>(three.data(), three.size(), 1);
   }
   return state;

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <optional>
 
 #include "ritz/base/shown.hpp"
 #include "ritz/fem/geometry.hpp"
+#include "ritz/mesh/bounding_box.hpp"
 #include "ritz/mesh/units.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/stages/each_cell.hpp"
@@ -113,18 +112,11 @@ std::string unlikely_material(const mesh::Region& region, const Solid& m, const 
 }  // namespace
 
 Extent extent(const mesh::Mesh& mesh, const fem::Materials& materials) {
-  Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::max()), high = -low;
-  for (int v = 0; v < mesh.owned; ++v) {
-    low = low.cwiseMin(mesh.points.col(v));
-    high = high.cwiseMax(mesh.points.col(v));
-  }
-  MPI_Allreduce(MPI_IN_PLACE, low.data(), 3, MPI_DOUBLE, MPI_MIN, mesh.comm);
-  MPI_Allreduce(MPI_IN_PLACE, high.data(), 3, MPI_DOUBLE, MPI_MAX, mesh.comm);
   double mass = 0;
   stages::each_owned_cell(mesh, materials, [&]<class E>(const stages::Cell<E>& cell) {
     mass += cell.material.density * fem::volume<E>(cell.x);
   });
-  return {high - low, parallel::sum(mesh.comm, mass)};
+  return {mesh::bounding_box(mesh).size(), parallel::sum(mesh.comm, mass)};
 }
 
 std::string size_line(const Extent& extent, const model::Modes& modes) {
@@ -133,8 +125,7 @@ std::string size_line(const Extent& extent, const model::Modes& modes) {
                      shown(extent.mass, 4) + " kg";
   const auto first = std::ranges::find(modes.kinds, model::ModeKind::flexible) - modes.kinds.begin();
   if (first < modes.eigenvalues.size())
-    text += ", first frequency " +
-            shown(std::sqrt(std::max(0.0, modes.eigenvalues[first])) / (2 * std::numbers::pi), 4) + " Hz";
+    text += ", first frequency " + shown(model::frequency(modes.eigenvalues[first]), 4) + " Hz";
   return text;
 }
 

@@ -88,10 +88,10 @@ std::string SceneProbes::header() const {
 }
 
 Eigen::VectorXd SceneProbes::at(mesh::VertexRef u) const {
-  Eigen::VectorXd values = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(probes_.size()));
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(mesh::components * static_cast<Eigen::Index>(probes_.size()));
   for (std::size_t p = 0; p < probes_.size(); ++p)
     for (const int v : probes_[p].vertices)
-      values.segment<3>(3 * static_cast<Eigen::Index>(p)) += u.col(0).segment<3>(3 * v) / probes_[p].total;
+      mesh::at_vertex(values, static_cast<Eigen::Index>(p)) += mesh::at_vertex(u.col(0), v) / probes_[p].total;
   parallel::sum_in_place(comm_, values);
   return values;
 }

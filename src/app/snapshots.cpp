@@ -74,24 +74,24 @@ std::unique_ptr<Snapshots> open(const std::filesystem::path& file) {
 
 std::unique_ptr<Snapshots> open_for(const mesh::Mesh& mesh, const std::filesystem::path& file) {
   auto in = open(file);
-  if (in->length != 3 * mesh.vertices_total)
+  if (in->length != mesh::components * mesh.vertices_total)
     refuse_snapshots(file, "its vectors have " + std::to_string(in->length) + " numbers, but the mesh has " +
                                std::to_string(mesh.vertices_total) + " vertices, so they must have " +
-                               std::to_string(3 * mesh.vertices_total));
+                               std::to_string(mesh::components * mesh.vertices_total));
   if (in->count == 0) refuse_snapshots(file, "it holds no snapshot");
   return in;
 }
 
 petsc::Tall read_rows(const std::filesystem::path& file, const mesh::Mesh& mesh) {
   const auto in = open_for(mesh, file);
-  petsc::Tall u(3 * mesh.owned, in->count);
+  petsc::Tall u(mesh::components * mesh.owned, in->count);
   Row row(in->length);
   for (std::int64_t s = 0; s < in->count; ++s) {
     in->read(s, row);
     if (!row.allFinite())
       refuse_snapshots(file, "snapshot " + std::to_string(s + 1) + " holds a number that is not finite");
     for (int v = 0; v < mesh.owned; ++v)
-      u.col(s).segment<3>(3 * v) = row.segment<3>(3 * mesh.file_positions[static_cast<std::size_t>(v)]);
+      mesh::at_vertex(u.col(s), v) = mesh::at_vertex(row, mesh.file_positions[static_cast<std::size_t>(v)]);
   }
   return u;
 }

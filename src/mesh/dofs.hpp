@@ -6,17 +6,13 @@
 #include <variant>
 #include <vector>
 
+#include "ritz/mesh/bounding_box.hpp"
 #include "ritz/mesh/mesh.hpp"
 #include "ritz/mesh/rows.hpp"
 
 namespace ritz::mesh {
 
 inline constexpr int components = 3;  ///< of the displacement of a vertex of a solid
-
-/// A box [low, high] of coordinates, m.
-struct Region3 {
-  Eigen::Vector3d low, high;
-};
 
 /// What is fixed where: a named set or a coordinate box, and which components.
 struct Fixed {
@@ -47,6 +43,18 @@ struct Dofs {
 /// Throws InputError on all ranks for a set that does not exist (naming the nearest) or that is one of several, a box
 /// without vertices, or when nothing is left free. *Collective*.
 Dofs number(const Mesh& mesh, const std::vector<Fixed>& supports, FileSupports file_supports);
+
+/// The displacement of vertex v, or what else there is of it: its rows among rows of vertices.
+template <class Vertexwise>
+auto at_vertex(Vertexwise&& rows, Eigen::Index v) {
+  return rows.template middleRows<components>(components * v);
+}
+
+/// The block of vertices a and b in a matrix of a cell.
+template <class Matrix>
+auto at_vertices(Matrix&& matrix, Eigen::Index a, Eigen::Index b) {
+  return matrix.template block<components, components>(components * a, components * b);
+}
 
 /// Rows of free degrees of freedom -> rows of owned vertices: 3 a vertex, zeros at fixed components.
 VertexRows to_vertices(const Mesh& mesh, const Dofs& dofs, FreeRef x);

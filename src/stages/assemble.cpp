@@ -36,7 +36,7 @@ void add_cell(Sums& sums, const mesh::Mesh& mesh, const mesh::Dofs& dofs, const 
       const int column = cell.vertex(b);
       const auto place = sums.stiffness.pattern.graph.place(mesh.global, row, column);
       add_block(sums.stiffness.rows, sums.stiffness.pattern, mesh, dofs, place, row, column,
-                K.template block<3, 3>(3 * a, 3 * b));
+                mesh::at_vertices(K, a, b));
       sums.mass[place] += M(a, b);
     }
   }

@@ -145,12 +145,13 @@ void gradients_of(const fem::Matrix<E::vertices, 3>& shape, const Modal& u, doub
 /// The sums of one cell for all rows: 3 rows a vertex.
 template <class E>
 void cell_sums(const Cell<E>& cell, mesh::LocalRef local, const Rows& rows, Modal& u, Point& point, Modal& sums) {
-  for (int a = 0; a < E::vertices; ++a) u.block(3 * a, 0, 3, rows.modes) = local.middleRows<3>(3 * cell.vertex(a));
+  for (int a = 0; a < E::vertices; ++a)
+    mesh::at_vertex(u.leftCols(rows.modes), a) = mesh::at_vertex(local, cell.vertex(a));
   // Differences from the first vertex: a cell that moves far as a whole is not strained.
-  for (int a = E::vertices - 1; a >= 0; --a) u.middleRows<3>(3 * a) -= u.topRows<3>();
+  for (int a = E::vertices - 1; a >= 0; --a) mesh::at_vertex(u, a) -= mesh::at_vertex(u, 0);
   const fem::Coordinates<E> x = fem::relative<E>(cell.x);
   const auto elastic = cell.material.at_rest();
-  sums.topRows(3 * E::vertices).setZero();
+  sums.topRows(mesh::components * E::vertices).setZero();
   for (const auto& sample : E::rule) {
     const auto [shape, weight] = fem::physical_gradients<E>(x, sample);
     gradients_of<E>(shape, u, elastic.lambda, elastic.mu, point);
@@ -169,7 +170,7 @@ mesh::FreeRows columns_of_pairs(const mesh::Mesh& mesh, const mesh::Dofs& dofs, 
   std::vector<Eigen::Index> place(static_cast<std::size_t>(dofs.owned));
   for (int v = 0; v < mesh.owned; ++v)
     for (int c = 0; c < mesh::components; ++c)
-      if (!dofs.fixed(v, c)) place[static_cast<std::size_t>(dofs.number(v, c) - dofs.first)] = 3 * v + c;
+      if (!dofs.fixed(v, c)) place[static_cast<std::size_t>(dofs.number(v, c) - dofs.first)] = mesh::components * v + c;
   constexpr Eigen::Index strip = 64;  // rows that stay in cache while all their columns are taken
   for (Eigen::Index from = 0; from < b.rows(); from += strip)
     for (std::size_t p = 0; p < pairs.size(); ++p) {
@@ -193,13 +194,14 @@ mesh::FreeRows derivative_loads(const Problem& problem, mesh::LocalRef local, in
   const mesh::Mesh& mesh = problem.mesh;
   const Rows rows(first, last, static_cast<int>(local.cols()));
   const int width = padded(rows.modes);
-  Modal sums = Modal::Zero(3 * mesh.owned, rows.columns);
-  Modal u = Modal::Zero(3 * fem::max_cell_vertices, width), of_cell(3 * fem::max_cell_vertices, rows.columns);
+  Modal sums = Modal::Zero(mesh::components * mesh.owned, rows.columns);
+  Modal u = Modal::Zero(mesh::components * fem::max_cell_vertices, width),
+        of_cell(3 * fem::max_cell_vertices, rows.columns);
   Point point{Modal(9, width), Modal(6, width)};
   each_cell(mesh, problem.materials, [&]<class E>(const Cell<E>& cell) {
     cell_sums(cell, local, rows, u, point, of_cell);
     for (int a = 0; a < E::vertices; ++a)
-      if (const int v = cell.vertex(a); v < mesh.owned) sums.middleRows<3>(3 * v) += of_cell.middleRows<3>(3 * a);
+      if (const int v = cell.vertex(a); v < mesh.owned) mesh::at_vertex(sums, v) += mesh::at_vertex(of_cell, a);
   });
   return columns_of_pairs(mesh, problem.dofs, rows, sums);
 }

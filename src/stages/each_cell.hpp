@@ -27,7 +27,7 @@ struct Cell {
   /// The three numbers a vertex of column `j` of `local`, whose rows are of all local vertices, 3 each.
   fem::Coordinates<E> gather(mesh::LocalRef local, Eigen::Index j) const {
     fem::Coordinates<E> u;
-    for (int a = 0; a < E::vertices; ++a) u.col(a) = local.col(j).template segment<3>(3 * vertex(a));
+    for (int a = 0; a < E::vertices; ++a) u.col(a) = mesh::at_vertex(local.col(j), vertex(a));
     return u;
   }
 };

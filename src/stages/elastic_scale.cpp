@@ -1,5 +1,6 @@
 #include "ritz/stages/elastic_scale.hpp"
 
+#include "ritz/mesh/bounding_box.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/stages/rayleigh_ritz.hpp"
 
@@ -10,15 +11,9 @@ constexpr int degree = 3;
 
 /// Coordinates of owned vertices mapped into [-1, 1]³.
 Eigen::Matrix3Xd normalised(const mesh::Mesh& mesh) {
-  Eigen::Vector3d low = Eigen::Vector3d::Constant(1e300), high = -low;
-  for (int v = 0; v < mesh.owned; ++v) {
-    low = low.cwiseMin(mesh.points.col(v));
-    high = high.cwiseMax(mesh.points.col(v));
-  }
-  MPI_Allreduce(MPI_IN_PLACE, low.data(), 3, MPI_DOUBLE, MPI_MIN, mesh.comm);
-  MPI_Allreduce(MPI_IN_PLACE, high.data(), 3, MPI_DOUBLE, MPI_MAX, mesh.comm);
-  const Eigen::Vector3d half = ((high - low) / 2).cwiseMax(1e-300), middle = (high + low) / 2;
-  return half.cwiseInverse().asDiagonal() * (mesh.points.leftCols(mesh.owned).colwise() - middle);
+  const auto box = mesh::bounding_box(mesh);
+  const Eigen::Vector3d half = (box.size() / 2).cwiseMax(1e-300);
+  return half.cwiseInverse().asDiagonal() * (mesh.points.leftCols(mesh.owned).colwise() - box.middle());
 }
 
 petsc::Tall cubic_fields(const mesh::Mesh& mesh) {

@@ -11,7 +11,7 @@ namespace {
 /// w_v f on every vertex.
 petsc::Tall spread(const Eigen::VectorXd& weights, const Eigen::Vector3d& f) {
   petsc::Tall force(mesh::components * weights.size(), 1);
-  for (Eigen::Index v = 0; v < weights.size(); ++v) force.col(0).segment<3>(3 * v) = weights[v] * f;
+  for (Eigen::Index v = 0; v < weights.size(); ++v) mesh::at_vertex(force.col(0), v) = weights[v] * f;
   return force;
 }
 
@@ -38,7 +38,7 @@ mesh::VertexRows traction_force(const mesh::Mesh& mesh, const mesh::Set& set, co
 mesh::VertexRows pressure_force(const mesh::Mesh& mesh, const mesh::Set& set, double pascal) {
   const petsc::Tall weights = face_weights(mesh, set.faces);
   petsc::Tall force(mesh::components * mesh.owned, 1);
-  for (int v = 0; v < mesh.owned; ++v) force.col(0).segment<3>(3 * v) = pascal * weights.row(v).tail<3>().transpose();
+  for (int v = 0; v < mesh.owned; ++v) mesh::at_vertex(force.col(0), v) = pascal * weights.row(v).tail<3>().transpose();
   return force;
 }
 

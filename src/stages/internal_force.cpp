@@ -14,7 +14,7 @@ void add_cell(const mesh::Mesh& mesh, const Cell<E>& cell, const mesh::LocalRows
     const auto [energy, force] = fem::energy_and_force<E>(cell.x, cell.gather(local, j), cell.material);
     if (cell.owned) sums.energies[j] += energy;
     for (int a = 0; a < E::vertices; ++a)
-      if (const int v = cell.vertex(a); v < mesh.owned) sums.forces.col(j).template segment<3>(3 * v) += force.col(a);
+      if (const int v = cell.vertex(a); v < mesh.owned) mesh::at_vertex(sums.forces.col(j), v) += force.col(a);
   }
 }
 

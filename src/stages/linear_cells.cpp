@@ -65,8 +65,8 @@ void add_strains(const mesh::Mesh& mesh, const Cell<E>& cell, const mesh::LocalR
     const auto gradients = fem::physical_gradients<E>(x, {E::reference[static_cast<std::size_t>(a)], 1}).gradients;
     for (Index j = 0; j < local.cols(); ++j) {
       const Strain e = volume * strain<E>(cell.gather(local, j), gradients);
-      sums.normal.col(j).template segment<3>(3 * v) += e.head<3>();
-      sums.shear.col(j).template segment<3>(3 * v) += e.tail<3>();
+      mesh::at_vertex(sums.normal.col(j), v) += e.head<3>();
+      mesh::at_vertex(sums.shear.col(j), v) += e.tail<3>();
     }
   }
 }
@@ -85,15 +85,15 @@ using Recovered = Strains<mesh::LocalRows>;
 Recovered recover(const mesh::Mesh& mesh, const fem::Materials& materials, const std::vector<int>& cells,
                   const mesh::LocalRows& local) {
   Eigen::VectorXd volumes = Eigen::VectorXd::Zero(mesh.owned);
-  const petsc::Tall zeros = petsc::Tall::Zero(3 * mesh.owned, local.cols());
+  const petsc::Tall zeros = petsc::Tall::Zero(mesh::components * mesh.owned, local.cols());
   Strains<mesh::VertexRows> sums{zeros, zeros};
   for (const int c : cells)
     visit_linear(mesh, materials, c,
                  [&]<class E>(const Cell<E>& cell) { add_strains(mesh, cell, local, sums, volumes); });
   for (int v = 0; v < mesh.owned; ++v) {
     if (volumes[v] <= 0) continue;
-    sums.normal.middleRows<3>(3 * v) /= volumes[v];
-    sums.shear.middleRows<3>(3 * v) /= volumes[v];
+    mesh::at_vertex(sums.normal, v) /= volumes[v];
+    mesh::at_vertex(sums.shear, v) /= volumes[v];
   }
   return {mesh::with_ghosts(mesh, sums.normal, 3), mesh::with_ghosts(mesh, sums.shear, 3)};
 }

@@ -111,7 +111,8 @@ void add_cell(const Cell<E>& cell, const fem::StVK& law, const RowMajor& local, 
     for (int a = 1; a < E::vertices; ++a)
       for (int c = 0; c < 3; ++c)
         for (int d = 0; d < 3; ++d)
-          G.row(3 * c + d) += shape(a, d) * (local.row(3 * cell.vertex(a) + c) - local.row(3 * cell.vertex(0) + c));
+          G.row(3 * c + d) += shape(a, d) * (local.row(mesh::components * cell.vertex(a) + c) -
+                                             local.row(mesh::components * cell.vertex(0) + c));
     panel.add(G, Metric(law, weight));
   }
 }

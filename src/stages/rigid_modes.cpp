@@ -8,7 +8,7 @@
 namespace ritz::stages {
 namespace {
 
-using Motion = Eigen::Matrix<double, 3, 6>;
+using Motion = Eigen::Matrix<double, mesh::components, 6>;
 
 /// Where each piece is and how large: rotations are taken about its centre and scaled by its size, so that the small
 /// matrix of constraints is well conditioned.
@@ -86,14 +86,15 @@ Eigen::MatrixXd support_rows(const mesh::Mesh& mesh, const mesh::Dofs& dofs, con
 /// Rows that say "two pieces move alike here" at vertices that they share.
 Eigen::MatrixXd joint_rows(const mesh::Mesh& mesh, const Frames& frames) {
   Eigen::Index count = 0;
-  for (const auto& joint : mesh.joints) count += 3 * (static_cast<Eigen::Index>(joint.pieces.size()) - 1);
+  for (const auto& joint : mesh.joints)
+    count += mesh::components * (static_cast<Eigen::Index>(joint.pieces.size()) - 1);
   Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(count, 6 * mesh.pieces);
   Eigen::Index at = 0;
   for (const auto& joint : mesh.joints) {
     const Eigen::Vector3d x(joint.point.data());
     for (std::size_t i = 1; i < joint.pieces.size(); ++i, at += 3) {
-      rows.block<3, 6>(at, 6 * joint.pieces[0]) = frames.motion(joint.pieces[0], x);
-      rows.block<3, 6>(at, 6 * joint.pieces[i]) = -frames.motion(joint.pieces[i], x);
+      rows.block<mesh::components, 6>(at, 6 * joint.pieces[0]) = frames.motion(joint.pieces[0], x);
+      rows.block<mesh::components, 6>(at, 6 * joint.pieces[i]) = -frames.motion(joint.pieces[i], x);
     }
   }
   return rows;
@@ -130,7 +131,7 @@ petsc::Tall evaluate(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Frame
   petsc::Tall u(mesh::components * mesh.owned, coordinates.cols());
   for (int v = 0; v < mesh.owned; ++v) {
     const int p = mesh.vertex_pieces[static_cast<std::size_t>(v)];
-    u.middleRows<3>(3 * v) = frames.motion(p, mesh.points.col(v)) * coordinates.middleRows<6>(6 * p);
+    mesh::at_vertex(u, v) = frames.motion(p, mesh.points.col(v)) * coordinates.middleRows<6>(6 * p);
   }
   return mesh::from_vertices(mesh, dofs, u);
 }

@@ -10,9 +10,9 @@ using Eigen::Index;
 
 /// Σ_v w_v u_v for each component: r x 3.
 Eigen::MatrixXd project(const mesh::Mesh& mesh, mesh::VertexRef u, const Eigen::VectorXd& weights) {
-  Eigen::MatrixXd result(u.cols(), 3);
+  Eigen::MatrixXd result(u.cols(), mesh::components);
   for (int c = 0; c < 3; ++c) {
-    const petsc::Tall component = u(Eigen::seqN(c, mesh.owned, 3), Eigen::all);
+    const petsc::Tall component = u(Eigen::seqN(c, mesh.owned, mesh::components), Eigen::all);
     result.col(c) = component.transpose() * weights;
   }
   parallel::sum_in_place(mesh.comm, result);

@@ -19,7 +19,7 @@ struct Target {
 
 template <class E>
 auto weighted_tangent(const Cell<E>& cell, const Eigen::VectorXd& weights, const mesh::LocalRows& local) {
-  fem::Matrix<3 * E::vertices, 3 * E::vertices> K;
+  fem::Matrix<mesh::components * E::vertices, mesh::components * E::vertices> K;
   K.setZero();
   for (Eigen::Index j = 0; j < weights.size(); ++j)
     K += weights[j] * fem::tangent<E>(cell.x, cell.gather(local, j), cell.material);
@@ -35,7 +35,7 @@ void add_cell(const Target& to, const Cell<E>& cell, const Eigen::VectorXd& weig
     for (int b = 0; b < E::vertices; ++b) {
       const int column = cell.vertex(b);
       const auto place = to.pattern.graph.place(to.mesh.global, row, column);
-      add_block(to.rows, to.pattern, to.mesh, to.dofs, place, row, column, K.template block<3, 3>(3 * a, 3 * b));
+      add_block(to.rows, to.pattern, to.mesh, to.dofs, place, row, column, mesh::at_vertices(K, a, b));
     }
   }
 }

@@ -7,6 +7,7 @@
 #include "ritz/base/error.hpp"
 #include "ritz/base/random.hpp"
 #include "ritz/base/shown.hpp"
+#include "ritz/mesh/bounding_box.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/runtime/polynomial_force.hpp"
 #include "ritz/stages/internal_force.hpp"
@@ -24,18 +25,6 @@ constexpr int halvings = 6, sizes_tried = 14;
 constexpr double largest_start = 0.01;    ///< of the body's size
 constexpr double clear_of_rounding = 30;  ///< times a bound that it reaches a tenth of
 
-/// The diagonal of the bounding box, m.
-double size_of(const mesh::Mesh& mesh) {
-  Eigen::Array3d low = Eigen::Array3d::Constant(1e300), high = -low;
-  for (int v = 0; v < mesh.owned; ++v) {
-    low = low.min(mesh.points.col(v).array());
-    high = high.max(mesh.points.col(v).array());
-  }
-  MPI_Allreduce(MPI_IN_PLACE, low.data(), 3, MPI_DOUBLE, MPI_MIN, mesh.comm);
-  MPI_Allreduce(MPI_IN_PLACE, high.data(), 3, MPI_DOUBLE, MPI_MAX, mesh.comm);
-  return (high - low).matrix().norm();
-}
-
 double largest(MPI_Comm comm, const petsc::ConstTallRef& u) {
   return parallel::max(comm, u.size() > 0 ? u.cwiseAbs().maxCoeff() : 0.0);
 }
@@ -47,7 +36,7 @@ Eigen::MatrixXd samples(const mesh::Mesh& mesh, const petsc::ConstTallRef& u) {
     for (Index i = 0; i < z.rows(); ++i)
       z(i, d) = uniform(77 + static_cast<std::uint64_t>(d), static_cast<std::uint64_t>(i));
     const double unit = largest(mesh.comm, u * z.col(d));
-    z.col(d) *= 0.1 * size_of(mesh) * std::pow(10.0, static_cast<double>(d) - 6) / unit;
+    z.col(d) *= 0.1 * mesh::bounding_box(mesh).size().norm() * std::pow(10.0, static_cast<double>(d) - 6) / unit;
   }
   return z;
 }
@@ -95,7 +84,7 @@ double taylor_slope(const DerivativesSource& source, mesh::FreeRef line, mesh::F
   const auto& [problem, found, flexible, rows] = source;
   const auto& [mesh, dofs, materials, matrices] = problem;
   const petsc::Tall rigid = rigid_modes(found);
-  const double start = largest_start * size_of(mesh) / largest(mesh.comm, line);
+  const double start = largest_start * mesh::bounding_box(mesh).size().norm() / largest(mesh.comm, line);
   const Eigen::ArrayXd t = start * Eigen::ArrayXd::LinSpaced(sizes_tried, 0, sizes_tried - 1).unaryExpr([](double n) {
     return std::exp2(-n);
   });
