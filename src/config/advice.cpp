@@ -34,6 +34,8 @@ Advice advice(Reason reason, const Config& config) {
     case Reason::foreign_solver_inaccurate: return {"", "; leave out the options under -modes_eps_ and -modes_st_"};
     case Reason::foreign_solver_stopped: return {"", "; raise -modes_eps_max_it or -modes_eps_ncv"};
     case Reason::iterative_solver_failed: return {"", "; use -solver direct, or a mesh of better shape"};
+    case Reason::memory_for_factors: return {"", "; use -solver iterative, or more machines"};
+    case Reason::workspace_for_factors: return {"", "; give a larger -solve_mat_mumps_icntl_14, in percent"};
     case Reason::rigid_motions: return {"[static]: ", "; hold it with -fix, or let it move with [time]"};
     case Reason::load_steps_too_large: return {"", "; raise [static] steps"};
   }

@@ -76,8 +76,7 @@ void Factorization::factor(Mat K, Mat M, double sigma) {
     if (error == MAT_FACTOR_NOERROR) return;
     const MumpsFailure failure = F ? mumps_failure(F) : MumpsFailure::other;
     if (failure == MumpsFailure::memory)
-      throw NumericalError("memory ran out in the factorization of " + what +
-                           "; use -solver iterative, or more machines");
+      throw NumericalError("memory ran out in the factorization of " + what, Reason::memory_for_factors);
     if (failure == MumpsFailure::other || attempt == 4)
       throw NumericalError("the factorization of " + what + " failed; is the body held as it should be?");
     margin_ = std::max<PetscInt>(40, 2 * margin_);

@@ -133,7 +133,7 @@ bool wants_workspace(KSP ksp) {
   if (error == MAT_FACTOR_NOERROR) return false;
   const MumpsFailure failure = mumps_failure(F);
   if (failure == MumpsFailure::memory)
-    throw NumericalError("memory ran out in the factorization of the tangent; use -solver iterative, or more machines");
+    throw NumericalError("memory ran out in the factorization of the tangent", Reason::memory_for_factors);
   return failure == MumpsFailure::workspace;
 }
 
@@ -183,8 +183,7 @@ NewtonOutcome Newton::solve(const Equations& equations, double tolerance, double
   while (reason < 0 && wants_workspace(linear(snes_))) {
     spare_ *= 2;
     if (spare_ > most_spare)
-      throw NumericalError(
-          "the factorization of the tangent wants more workspace; give a larger -solve_mat_mumps_icntl_14, in percent");
+      throw NumericalError("the factorization of the tangent wants more workspace", Reason::workspace_for_factors);
     check(PCReset(preconditioner(linear(snes_))));
     prepare_factor(linear(snes_), jacobian_, spare_);
     x = start;

@@ -6,7 +6,7 @@ import re
 import sys
 from pathlib import Path
 
-LAYERS = ["stages", "runtime", "scene", "world"]
+LAYERS = ["petsc", "stages", "runtime", "scene", "world"]
 TABLE = "src/config/option_table.cpp"
 
 

@@ -24,6 +24,8 @@ enum class Reason : std::uint8_t {
   foreign_solver_inaccurate,      ///< modes of SLEPc's solver miss that gate
   foreign_solver_stopped,         ///< SLEPc's solver stopped before it had all modes
   iterative_solver_failed,        ///< an iterative solver does not converge, or not far enough
+  memory_for_factors,             ///< the factors of a direct solver do not fit into memory
+  workspace_for_factors,          ///< a direct solver needs more spare room than it was given
   rigid_motions,                  ///< statics of a body that its supports let move
   load_steps_too_large,           ///< statics do not converge, and nothing tells of a limit point
 };
