@@ -21,6 +21,15 @@ void each_force_point(const ImplicitStep<Scalar>& numbers, Visit&& visit) {
   for (const Scalar s : mean_points<Scalar>()) visit(s, Scalar(0.5));
 }
 
+/// What a derivative is by where a frame moves: by the change that moves it, or by small motions of the frame at the
+/// beginning of the step, by its axes then. Of z the two are the same.
+enum class By : unsigned char { change, beginning };
+
+/// The force of position at q = z_n + s δ, after `passed` of the whole step, and its derivative.
+template <class Scalar>
+void evaluate_at(const PositionForce<Scalar>& position, const State<Scalar>& state, const Vector<Scalar>& q,
+                 Scalar passed, By by, Vector<Scalar>& force, Matrix<Scalar>& tangent);
+
 /// The internal force of an implicit method at δ, its mean over the step or at the method's point, and the force that
 /// depends on the position; with their derivatives by δ.
 template <class Scalar>

@@ -47,7 +47,8 @@ Outcome solve_explicit(const Model<Scalar>& model, const State<Scalar>& state, c
   room.target = room.end - room.at_point.force;
   add_damping<Scalar>(model, -1, room.velocity, room.target);
   if (load.position) {
-    (*load.position)(room.point, part.at + part.width, room.position_force, room.position_tangent);
+    evaluate_at(*load.position, state, room.point, part.at + part.width, By::change, room.position_force,
+                room.position_tangent);
     room.target += room.position_force;
   }
   if (std::holds_alternative<VaryingInertia<Scalar>>(model.inertia))

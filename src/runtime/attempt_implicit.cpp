@@ -72,7 +72,8 @@ void evaluate_position_force(const State<Scalar>& state, const PositionForce<Sca
   room.position_tangent_sum.setZero();
   each_force_point(numbers, [&](Scalar s, Scalar weight) {
     room.position_point = state.z() + s * room.delta;
-    position(room.position_point, part.at + s * part.width, room.position_force, room.position_tangent);
+    evaluate_at(position, state, room.position_point, part.at + s * part.width, By::change, room.position_force,
+                room.position_tangent);
     room.position_sum += weight * room.position_force;
     room.position_tangent_sum += (weight * s) * room.position_tangent;
   });
@@ -87,6 +88,21 @@ void combine(const Matrix<Scalar>& history, const Eigen::Matrix<Scalar, 4, 1>& c
   y.setZero();
   for (Eigen::Index c = 0; c < history.cols(); ++c)
     if (coefficients[c] != 0) y += coefficients[c] * history.col(c);
+}
+
+template <class Scalar>
+void evaluate_at(const PositionForce<Scalar>& position, const State<Scalar>& state, const Vector<Scalar>& q,
+                 Scalar passed, By by, Vector<Scalar>& force, Matrix<Scalar>& tangent) {
+  if (!state.frame) return position({q, nullptr}, passed, force, tangent);
+  const FrameChange<Scalar> change = q.template head<frame_coordinates>();
+  const auto frame = moved<Scalar>(*state.frame, change);
+  position({q, &frame}, passed, force, tangent);
+  const auto derivative = moved_derivative<Scalar>(change);
+  const auto& motion = by == By::change ? derivative.by_change : derivative.by_frame;
+  for (Eigen::Index i = 0; i < tangent.rows(); ++i) {
+    const FrameChange<Scalar> row = tangent.row(i).template head<frame_coordinates>();
+    tangent.row(i).template head<frame_coordinates>() = row.transpose() * motion;
+  }
 }
 
 template <class Scalar>
@@ -171,6 +187,8 @@ Outcome solve_implicit(const Model<Scalar>& model, const State<Scalar>& state, c
 
 #define RITZ_INSTANCE(S)                                                                                      \
   template void combine(const Matrix<S>&, const Eigen::Matrix<S, 4, 1>&, Vector<S>&);                         \
+  template void evaluate_at(const PositionForce<S>&, const State<S>&, const Vector<S>&, S, By, Vector<S>&,    \
+                            Matrix<S>&);                                                                      \
   template void evaluate_forces(const Model<S>&, const State<S>&, const StepLoad<S>&, const StepPart<S>&,     \
                                 const ImplicitStep<S>&, NewtonRoom<S>&);                                      \
   template void factor_jacobian(const Model<S>&, const StepLoad<S>&, const ImplicitStep<S>&, NewtonRoom<S>&); \

@@ -20,7 +20,35 @@ void evaluate(const LinearForce<Scalar>& force, const VectorRef<Scalar>& z, Eval
 }
 
 template <class Scalar>
+Evaluation<Scalar> make_evaluation(const CarriedForce<Scalar>& force) {
+  const Eigen::Index size = force.size();
+  Evaluation<Scalar> evaluation;
+  evaluation.force = Vector<Scalar>::Zero(size);
+  evaluation.tangent = Matrix<Scalar>::Zero(size, size);
+  evaluation.carried.push_back(std::visit([](const auto& body) { return make_evaluation(body); }, force.body));
+  return evaluation;
+}
+
+template <class Scalar>
+void evaluate(const CarriedForce<Scalar>& force, const VectorRef<Scalar>& q, Evaluation<Scalar>& result) {
+  auto& own = result.carried.front();
+  const Eigen::Index r = own.force.size();
+  std::visit([&](const auto& body) { evaluate<Scalar>(body, q.tail(r), own); }, force.body);
+  result.energy = own.energy;
+  result.force.head(frame_coordinates).setZero();
+  result.force.tail(r) = own.force;
+  result.tangent.bottomRightCorner(r, r) = own.tangent;
+}
+
+template <class Scalar>
 Matrix<Scalar> stiffness_at_rest(const InternalForce<Scalar>& force) {
+  if (const auto* carried = std::get_if<CarriedForce<Scalar>>(&force)) {
+    const Eigen::Index size = carried->size(), r = size - frame_coordinates;
+    Matrix<Scalar> stiffness = Matrix<Scalar>::Zero(size, size);
+    stiffness.bottomRightCorner(r, r) = std::visit(
+        [](const auto& body) { return stiffness_at_rest<Scalar>(InternalForce<Scalar>(body)); }, carried->body);
+    return stiffness;
+  }
   if (const auto* polynomial = std::get_if<PolynomialForce<Scalar>>(&force)) return polynomial->linear;
   return std::get<LinearForce<Scalar>>(force).stiffness.asDiagonal();
 }
@@ -54,12 +82,14 @@ void evaluate_mean(const InternalForce<Scalar>& internal, const VectorRef<Scalar
   }
 }
 
-#define RITZ_INSTANCE(S)                                                              \
-  template Evaluation<S> make_evaluation(const LinearForce<S>&);                      \
-  template void evaluate(const LinearForce<S>&, const VectorRef<S>&, Evaluation<S>&); \
-  template Matrix<S> stiffness_at_rest(const InternalForce<S>&);                      \
-  template MeanEvaluation<S> make_mean_evaluation(const InternalForce<S>&);           \
-  template std::array<S, 2> mean_points();                                            \
+#define RITZ_INSTANCE(S)                                                               \
+  template Evaluation<S> make_evaluation(const LinearForce<S>&);                       \
+  template void evaluate(const LinearForce<S>&, const VectorRef<S>&, Evaluation<S>&);  \
+  template Evaluation<S> make_evaluation(const CarriedForce<S>&);                      \
+  template void evaluate(const CarriedForce<S>&, const VectorRef<S>&, Evaluation<S>&); \
+  template Matrix<S> stiffness_at_rest(const InternalForce<S>&);                       \
+  template MeanEvaluation<S> make_mean_evaluation(const InternalForce<S>&);            \
+  template std::array<S, 2> mean_points();                                             \
   template void evaluate_mean(const InternalForce<S>&, const VectorRef<S>&, const VectorRef<S>&, MeanEvaluation<S>&);
 RITZ_INSTANCE(double)
 RITZ_INSTANCE(float)

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <utility>
 
 #include "ritz/base/error.hpp"
 #include "ritz/base/shown.hpp"
@@ -64,6 +66,26 @@ Model<Scalar> make_model(const model::Polynomial& polynomial, const Damping& dam
 }
 
 template <class Scalar>
+Model<Scalar> carry(Model<Scalar> body, Inertia<Scalar> inertia) {
+  const Eigen::Index r = body.size(), size = frame_coordinates + r;
+  Model<Scalar> model{.force = CarriedForce<Scalar>{}, .damping = Vector<Scalar>(), .inertia = std::move(inertia)};
+  auto& carried = std::get<CarriedForce<Scalar>>(model.force).body;
+  if (auto* polynomial = std::get_if<PolynomialForce<Scalar>>(&body.force)) carried = std::move(*polynomial);
+  else if (auto* linear = std::get_if<LinearForce<Scalar>>(&body.force)) carried = std::move(*linear);
+  else throw std::logic_error("a frame carries this body already");
+  if (const auto* diagonal = std::get_if<Vector<Scalar>>(&body.damping)) {
+    Vector<Scalar> damping = Vector<Scalar>::Zero(size);
+    damping.tail(r) = *diagonal;
+    model.damping = std::move(damping);
+  } else {
+    Matrix<Scalar> damping = Matrix<Scalar>::Zero(size, size);
+    damping.bottomRightCorner(r, r) = std::get<Matrix<Scalar>>(body.damping);
+    model.damping = std::move(damping);
+  }
+  return model;
+}
+
+template <class Scalar>
 bool is_oscillators(const Model<Scalar>& model) {
   return std::holds_alternative<LinearForce<Scalar>>(model.force) &&
          std::holds_alternative<Vector<Scalar>>(model.damping) && std::holds_alternative<UnitInertia>(model.inertia);
@@ -101,6 +123,7 @@ Scalar energy(const Model<Scalar>& model, const VectorRef<Scalar>& z, const Vect
   template Model<S> make_model(const model::Modes&, const Damping&);              \
   template Model<S> make_model(const model::Reduction&, const Damping&);          \
   template Model<S> make_model(const model::Polynomial&, const Damping&);         \
+  template Model<S> carry(Model<S>, Inertia<S>);                                  \
   template bool is_oscillators(const Model<S>&);                                  \
   template void add_damping(const Model<S>&, S, const VectorRef<S>&, Vector<S>&); \
   template void add_damping(const Model<S>&, S, Matrix<S>&);                      \

@@ -22,10 +22,26 @@ struct UnknownDerivative {
   Matrix<Scalar> state, begin, end;
 };
 
-/// dy_c = Σ_j history_cj dy_j + change_c dx, after the parts before.
+/// The first six coordinates of z_{n+1}, which are small motions of the moved frame by its own axes: of the rows that
+/// z_n + δ has, `change` being δ's first six.
+template <class Scalar>
+void follow_frame(const FrameChange<Scalar>& change, Matrix<Scalar>& state, Matrix<Scalar>& begin,
+                  Matrix<Scalar>& end) {
+  const auto [by_frame, by_change] = moved_derivative<Scalar>(change);
+  Matrix<Scalar> of_change = state.topRows(frame_coordinates);
+  of_change.leftCols(frame_coordinates).diagonal().array() -= 1;
+  state.topRows(frame_coordinates) = by_change * of_change;
+  state.template topLeftCorner<frame_coordinates, frame_coordinates>() += by_frame;
+  for (auto* load : {&begin, &end}) {
+    const Matrix<Scalar> rows = load->topRows(frame_coordinates);
+    load->topRows(frame_coordinates) = by_change * rows;
+  }
+}
+
+/// dy_c = Σ_j history_cj dy_j + change_c dx, after the parts before. `frame`: δ, where it moves a frame.
 template <class Scalar, class Numbers>
 void chain(const UnknownDerivative<Scalar>& unknown, const Numbers& numbers, const StepPart<Scalar>& part,
-           StepDerivative<Scalar>& derivative) {
+           const Vector<Scalar>* frame, StepDerivative<Scalar>& derivative) {
   const Index r = unknown.state.rows(), width = unknown.state.cols() / r;
   Matrix<Scalar> state(width * r, width * r), begin(width * r, r), end(width * r, r);
   for (Index c = 0; c < width; ++c) {
@@ -34,6 +50,7 @@ void chain(const UnknownDerivative<Scalar>& unknown, const Numbers& numbers, con
     end.middleRows(c * r, r) = numbers.change[c] * unknown.end;
     for (Index j = 0; j < width; ++j) state.block(c * r, j * r, r, r).diagonal().array() += numbers.history(c, j);
   }
+  if (frame) follow_frame(frame->template head<frame_coordinates>(), state, begin, end);
   const auto [at, wide] = part;
   derivative.state = state * derivative.state;
   derivative.begin = state * derivative.begin + (1 - at) * begin + (1 - at - wide) * end;
@@ -51,7 +68,8 @@ Matrix<Scalar> tangent_at_begin(const Model<Scalar>& model, const State<Scalar>&
     evaluate<Scalar>(model.force, room.point, room.at_point);
     tangent += weight * room.at_point.tangent;
     if (!load.position) return;
-    (*load.position)(room.point, part.at + s * part.width, room.position_sum, room.position_tangent);
+    evaluate_at(*load.position, state, room.point, part.at + s * part.width, By::beginning, room.position_sum,
+                room.position_tangent);
     tangent -= weight * room.position_tangent;
   });
   return tangent;
@@ -101,19 +119,26 @@ void chain_implicit(const Model<Scalar>& model, const State<Scalar>& state, cons
     delta.state.leftCols(r) -= room.inertia.by_position;
   room.position_force = position_force;
   for (auto* matrix : {&delta.state, &delta.begin, &delta.end}) solve_columns(room.factors, *matrix);
-  chain(delta, numbers, part, derivative);
+  chain(delta, numbers, part, state.frame ? &room.delta : nullptr, derivative);
 }
 
 template <class Scalar>
-void chain_explicit(const Model<Scalar>& model, const ExplicitStep<Scalar>& numbers, const StepLoad<Scalar>& load,
-                    const StepPart<Scalar>& part, NewtonRoom<Scalar>& room, StepDerivative<Scalar>& derivative) {
+void chain_explicit(const Model<Scalar>& model, const State<Scalar>& state, const StepLoad<Scalar>& load,
+                    const StepPart<Scalar>& part, const ExplicitStep<Scalar>& numbers, NewtonRoom<Scalar>& room,
+                    StepDerivative<Scalar>& derivative) {
   const Index r = model.size(), width = derivative.state.rows() / r;
-  Matrix<Scalar> tangent = room.at_point.tangent;
-  if (load.position) tangent -= room.position_tangent;
+  Matrix<Scalar> by_change = room.at_point.tangent;
   if (std::holds_alternative<VaryingInertia<Scalar>>(model.inertia)) {
     const Vector<Scalar> velocity = room.velocity + numbers.drag * room.acceleration;
     evaluate<Scalar>(model.inertia, room.point, velocity, room.acceleration, room.inertia);
-    tangent += room.inertia.by_position;
+    by_change += room.inertia.by_position;
+  }
+  Matrix<Scalar> by_beginning = by_change;
+  if (load.position) {
+    by_change -= room.position_tangent;
+    evaluate_at(*load.position, state, room.point, part.at + part.width, By::beginning, room.position_sum,
+                room.position_tangent);
+    by_beginning -= room.position_tangent;
   }
   const Matrix<Scalar> damping = damping_of(model, room);
   room.jacobian = mass_of(model, room) + numbers.drag * damping;
@@ -123,19 +148,19 @@ void chain_explicit(const Model<Scalar>& model, const ExplicitStep<Scalar>& numb
                                          .begin = Matrix<Scalar>::Zero(r, r),
                                          .end = Matrix<Scalar>::Identity(r, r)};
   for (Index c = 0; c < width; ++c) {
-    const Scalar way = numbers.displacement[c] + (c == 0 ? Scalar(1) : Scalar(0));
-    acceleration.state.middleCols(c * r, r) = -way * tangent - numbers.velocity[c] * damping;
+    acceleration.state.middleCols(c * r, r) = -numbers.displacement[c] * by_change - numbers.velocity[c] * damping;
+    if (c == 0) acceleration.state.leftCols(r) -= by_beginning;
   }
   for (auto* matrix : {&acceleration.state, &acceleration.end}) solve_columns(room.factors, *matrix);
-  chain(acceleration, numbers, part, derivative);
+  chain(acceleration, numbers, part, state.frame ? &room.delta : nullptr, derivative);
 }
 
-#define RITZ_INSTANCE(S)                                                                                        \
-  template StepDerivative<S> make_step_derivative(const Model<S>&, const Integrator&);                          \
-  template void chain_implicit(const Model<S>&, const State<S>&, const StepLoad<S>&, const StepPart<S>&,        \
-                               const ImplicitStep<S>&, NewtonRoom<S>&, StepDerivative<S>&);                     \
-  template void chain_explicit(const Model<S>&, const ExplicitStep<S>&, const StepLoad<S>&, const StepPart<S>&, \
-                               NewtonRoom<S>&, StepDerivative<S>&);
+#define RITZ_INSTANCE(S)                                                                                 \
+  template StepDerivative<S> make_step_derivative(const Model<S>&, const Integrator&);                   \
+  template void chain_implicit(const Model<S>&, const State<S>&, const StepLoad<S>&, const StepPart<S>&, \
+                               const ImplicitStep<S>&, NewtonRoom<S>&, StepDerivative<S>&);              \
+  template void chain_explicit(const Model<S>&, const State<S>&, const StepLoad<S>&, const StepPart<S>&, \
+                               const ExplicitStep<S>&, NewtonRoom<S>&, StepDerivative<S>&);
 RITZ_INSTANCE(double)
 RITZ_INSTANCE(float)
 #undef RITZ_INSTANCE

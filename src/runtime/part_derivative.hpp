@@ -12,7 +12,8 @@ void chain_implicit(const Model<Scalar>& model, const State<Scalar>& state, cons
 
 /// Where the explicit step's forces were evaluated last.
 template <class Scalar>
-void chain_explicit(const Model<Scalar>& model, const ExplicitStep<Scalar>& numbers, const StepLoad<Scalar>& load,
-                    const StepPart<Scalar>& part, NewtonRoom<Scalar>& room, StepDerivative<Scalar>& derivative);
+void chain_explicit(const Model<Scalar>& model, const State<Scalar>& state, const StepLoad<Scalar>& load,
+                    const StepPart<Scalar>& part, const ExplicitStep<Scalar>& numbers, NewtonRoom<Scalar>& room,
+                    StepDerivative<Scalar>& derivative);
 
 }  // namespace ritz::runtime

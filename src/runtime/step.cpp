@@ -37,7 +37,7 @@ NewtonRoom<Scalar> make_room(const Model<Scalar>& model, const Integrator& integ
                           .inertia = make_inertia_at<Scalar>(varies ? r : 0),
                           .jacobian = square,
                           .factors = make_factors<Scalar>(r),
-                          .before = {Matrix<Scalar>::Zero(r, history_size(integrator.history)), 0}};
+                          .before = {.history = Matrix<Scalar>::Zero(r, history_size(integrator.history))}};
   for (auto* vector : {&room.target, &room.acceleration, &room.velocity, &room.delta, &room.point, &room.residual,
                        &room.correction, &room.correction_taken, &room.begin, &room.end})
     *vector = none;
@@ -59,6 +59,9 @@ void advance(const Numbers& numbers, const Vector<Scalar>& unknown, Scalar dt, S
     state.history.row(i) = next.head(width).transpose();
   }
   state.last_dt = dt;
+  if (!state.frame) return;
+  *state.frame = moved<Scalar>(*state.frame, state.history.col(0).template head<frame_coordinates>());
+  state.history.col(0).template head<frame_coordinates>().setZero();
 }
 
 /// One attempt at a part of a step; advances the state where it succeeds.
@@ -72,7 +75,7 @@ Outcome attempt(const Model<Scalar>& model, State<Scalar>& state, const StepLoad
     const auto numbers = scaled(*method, integrator.history, dt);
     const auto outcome = solve_explicit(model, state, load, part, numbers, dt, room);
     if (outcome.status != Status::done) return outcome;
-    if (derivative) chain_explicit(model, numbers, load, part, room, *derivative);
+    if (derivative) chain_explicit(model, state, load, part, numbers, room, *derivative);
     advance(numbers, room.acceleration, dt, state);
     return outcome;
   }
@@ -156,6 +159,10 @@ State<Scalar> make_state(const Model<Scalar>& model, const Integrator& integrato
   state.history.setZero(r, history_size(integrator.history));
   state.history.col(0) = z;
   state.history.col(1) = velocity;
+  if (is_carried(model)) {
+    state.history.col(0).template head<frame_coordinates>().setZero();
+    state.frame.emplace();
+  }
   if (integrator.history != History::acceleration) return state;
   auto at = make_evaluation(model.force);
   evaluate<Scalar>(model.force, z, at);

@@ -53,7 +53,8 @@ Model<double> pendulum() {
 
 constexpr double gravity = 9.81;
 
-const PositionForce<double> weight = [](const VectorRef<double>& q, double, VectorXd& force, MatrixXd& tangent) {
+const PositionForce<double> weight = [](const Configuration<double>& at, double, VectorXd& force, MatrixXd& tangent) {
+  const auto& q = at.q;
   const double l = 1 + q[0], c = std::cos(q[1]), s = std::sin(q[1]);
   force = gravity * Vector2d(c, -l * s);
   tangent << 0, -gravity * s, -gravity * s, -gravity * l * c;
@@ -72,7 +73,7 @@ State<double> swing(const Integrator& integrator, int steps) {
   const VectorXd z = Vector2d(0, M_PI / 3), rest = Vector2d::Zero();
   VectorXd at_start(2);
   MatrixXd tangent(2, 2);
-  weight(z, 0, at_start, tangent);
+  weight({z, nullptr}, 0, at_start, tangent);
   const double dt = 1.0 / steps;
   auto state = make_state<double>(model, integrator, z, rest, at_start);
   auto workspace = make_workspace<double>(model, integrator, dt, {}, Loads::of_position);
@@ -96,7 +97,8 @@ TEST(GeneralEquation, AnElasticPendulumKeepsItsEnergy) {
 }
 
 TEST(GeneralEquation, ASpringOnAnOscillatorIsAStifferOscillator) {
-  const PositionForce<double> spring = [](const VectorRef<double>& q, double, VectorXd& force, MatrixXd& tangent) {
+  const PositionForce<double> spring = [](const Configuration<double>& at, double, VectorXd& force, MatrixXd& tangent) {
+    const auto& q = at.q;
     force = -5 * q;
     tangent = -5 * MatrixXd::Identity(1, 1);
   };
@@ -119,7 +121,8 @@ TEST(GeneralEquation, ASpringOnAnOscillatorIsAStifferOscillator) {
 }
 
 TEST(GeneralEquation, TheWorkOfAForceOfPositionIsCounted) {
-  const PositionForce<double> spring = [](const VectorRef<double>& q, double, VectorXd& force, MatrixXd& tangent) {
+  const PositionForce<double> spring = [](const Configuration<double>& at, double, VectorXd& force, MatrixXd& tangent) {
+    const auto& q = at.q;
     force = -5 * q;
     tangent = -5 * MatrixXd::Identity(q.size(), q.size());
   };

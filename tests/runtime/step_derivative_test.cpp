@@ -106,8 +106,9 @@ TEST(StepDerivative, OfOscillatorsIsTheirTable) {
 }
 
 TEST(StepDerivative, KnowsForcesThatDependOnThePosition) {
-  const PositionForce<double> spring = [](const VectorRef<double>& q, double s, VectorXd& force,
+  const PositionForce<double> spring = [](const Configuration<double>& at, double s, VectorXd& force,
                                           Eigen::MatrixXd& tangent) {
+    const auto& q = at.q;
     force = -(1 + s) * q.array().cube().matrix();
     tangent = (-3 * (1 + s) * q.array().square()).matrix().asDiagonal();
   };

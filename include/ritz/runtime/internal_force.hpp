@@ -1,9 +1,10 @@
-// The internal force f̃(z) of a reduced model: of small displacements, or a polynomial. A new kind is one struct with
-// size() and the functions below, and one alternative of the variant.
+// The internal force f̃(z) of a reduced model: of small displacements, or a polynomial; of a body at rest or of one that
+// a frame carries. A new kind is one struct with size() and the functions below, and one alternative of the variant.
 #pragma once
 #include <array>
 #include <variant>
 
+#include "ritz/runtime/frame.hpp"
 #include "ritz/runtime/polynomial_force.hpp"
 
 namespace ritz::runtime {
@@ -21,8 +22,24 @@ Evaluation<Scalar> make_evaluation(const LinearForce<Scalar>& force);
 template <class Scalar>
 void evaluate(const LinearForce<Scalar>& force, const VectorRef<Scalar>& z, Evaluation<Scalar>& result);
 
+/// The force of a body that a rigid frame carries, by the 6 + r coordinates of the frame's motion and of z: moving the
+/// frame deforms nothing, so that its first six components are 0.
 template <class Scalar>
-using InternalForce = std::variant<LinearForce<Scalar>, PolynomialForce<Scalar>>;
+struct CarriedForce {
+  std::variant<LinearForce<Scalar>, PolynomialForce<Scalar>> body;
+
+  Eigen::Index size() const {
+    return frame_coordinates + std::visit([](const auto& force) { return force.size(); }, body);
+  }
+};
+
+template <class Scalar>
+Evaluation<Scalar> make_evaluation(const CarriedForce<Scalar>& force);
+template <class Scalar>
+void evaluate(const CarriedForce<Scalar>& force, const VectorRef<Scalar>& q, Evaluation<Scalar>& result);
+
+template <class Scalar>
+using InternalForce = std::variant<LinearForce<Scalar>, PolynomialForce<Scalar>, CarriedForce<Scalar>>;
 
 template <class Scalar>
 Eigen::Index size(const InternalForce<Scalar>& force) {

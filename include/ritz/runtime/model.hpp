@@ -45,6 +45,17 @@ Model<Scalar> make_model(const model::Reduction& reduction, const Damping& dampi
 template <class Scalar = double>
 Model<Scalar> make_model(const model::Polynomial& polynomial, const Damping& damping);
 
+/// The model of a body that a rigid frame carries, in the 6 + r coordinates of frame.hpp. The frame's motion is not
+/// damped. `inertia` is M and h by the velocity ν; they do not depend on the frame, which is what makes ν worth using.
+template <class Scalar>
+Model<Scalar> carry(Model<Scalar> body, Inertia<Scalar> inertia);
+
+/// Whether a frame carries the body.
+template <class Scalar>
+bool is_carried(const Model<Scalar>& model) {
+  return std::holds_alternative<CarriedForce<Scalar>>(model.force);
+}
+
 /// Whether the model is r independent oscillators: linear, with diagonal damping and unit mass. They take their steps
 /// from a table, O(r) each.
 template <class Scalar>

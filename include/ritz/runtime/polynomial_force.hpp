@@ -34,6 +34,7 @@ struct Evaluation {
   Matrix<Scalar> tangent;  ///< K̃, r x r, both triangles
   Vector<Scalar> sums;
   AlignedVector<Scalar> point, room, result;
+  std::vector<Evaluation> carried;  ///< of a body that a frame carries: the body's own
 };
 
 template <class Scalar>

@@ -1,6 +1,7 @@
 // Stepping a model through time.
 #pragma once
 #include <limits>
+#include <optional>
 
 #include "ritz/runtime/factors.hpp"
 #include "ritz/runtime/integrator.hpp"
@@ -13,16 +14,26 @@ template <class Scalar>
 struct State {
   Matrix<Scalar> history;  ///< r x history_size: columns z, z' (units of z per s), then the integrator's own
   Scalar last_dt = 0;      ///< length of the last step (or of its last part), s; 0 at the start
+  std::optional<Frame<Scalar>> frame = {};  ///< of a body that one carries; then the first six of z are 0
 
   auto z() const { return history.col(0); }
   auto velocity() const { return history.col(1); }
 };
 
+/// Where a body is.
+template <class Scalar>
+struct Configuration {
+  VectorRef<Scalar> q;           ///< coordinates; of a carried body the first six mean nothing
+  const Frame<Scalar>* carrier;  ///< the frame; nullptr where none carries the body
+};
+
 /// A force that depends on where the body is: a spring, a contact. Writes F(q), r, and ∂F/∂q, r x r, into arrays that
-/// have their sizes; s is how much of the step has passed, 0 ... 1.
+/// have their sizes; s is how much of the step has passed, 0 ... 1. Of a carried body F acts on the velocity ν of
+/// frame.hpp (force and torque by the frame's axes, N and N m, then r numbers), and its derivative is by small motions
+/// of the frame by these axes, and by z.
 template <class Scalar>
 using PositionForce =
-    std::function<void(const VectorRef<Scalar>& q, Scalar s, Vector<Scalar>& force, Matrix<Scalar>& tangent)>;
+    std::function<void(const Configuration<Scalar>& at, Scalar s, Vector<Scalar>& force, Matrix<Scalar>& tangent)>;
 
 /// The reduced force over a step: Uᵀf, linear between its ends, each of r numbers; and what depends on the position.
 template <class Scalar>
@@ -101,7 +112,8 @@ Workspace<Scalar> make_workspace(const Model<Scalar>& model, const Integrator& i
                                  std::type_identity_t<Scalar> dt, const NewtonOptions<Scalar>& options = {},
                                  Loads loads = Loads::of_time);
 
-/// The state with given z and z' under the force `load`; its acceleration solves M a = load − D z' − f̃(z) − h.
+/// The state with given z and z' under the force `load`; its acceleration solves M a = load − D z' − f̃(z) − h. The
+/// frame of a carried body is at the origin; put it elsewhere afterwards.
 template <class Scalar>
 State<Scalar> make_state(const Model<Scalar>& model, const Integrator& integrator, VectorRef<Scalar> z,
                          VectorRef<Scalar> velocity, VectorRef<Scalar> load);

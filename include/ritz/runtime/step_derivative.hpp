@@ -6,6 +6,7 @@ namespace ritz::runtime {
 
 /// With y the history's columns one below the other, h r numbers:
 ///   dy_{n+1} = state dy_n + begin df_n + end df_{n+1}.
+/// Of a carried body the first six of dy are small motions of the frame by its own axes (frame.hpp), before and after.
 template <class Scalar>
 struct StepDerivative {
   Matrix<Scalar> state;       ///< h r x h r
