@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr double top_mass = 2;
-const Vector3d top_moments(.5, .5, .2);  ///< of a symmetric top about its centre of top_mass, kg m²
+const Vector3d top_moments(.5, .5, .2);  ///< of a symmetric top about its centre of mass, kg m²
 const Vector3d fall_rate(0, 0, -9.81);
 
 Matrix3d cross_matrix(const Vector3d& v) {
@@ -28,7 +28,7 @@ Matrix3d cross_matrix(const Vector3d& v) {
   return matrix;
 }
 
-/// Newton's and Euler's equations of a rigid body about its centre of top_mass, beside z'' of what vibrates on it.
+/// Newton's and Euler's equations of a rigid body about its centre of mass, beside z'' of what vibrates on it.
 const VaryingInertia<double> top{[](const auto&, const auto& nu, const auto& a, InertiaAt<double>& at) {
   const Vector3d v = nu.template head<3>(), w = nu.template segment<3>(3), spin = top_moments.cwiseProduct(w);
   at.mass.setIdentity();
