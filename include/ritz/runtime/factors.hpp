@@ -1,4 +1,4 @@
-// The r x r systems of a nonlinear step.
+// Factorizations of the dense r x r matrices of a step that is solved by Newton's method.
 #pragma once
 #include <Eigen/Cholesky>
 #include <vector>
@@ -7,25 +7,26 @@
 
 namespace ritz::runtime {
 
-/// A matrix, factored by Cholesky's method or by pivoted LU.
+/// The factorization of an r x r matrix: Cholesky's where `definite`, else LU with row pivoting.
 template <class Scalar>
 struct Factors {
   Eigen::LLT<Matrix<Scalar>> cholesky;
-  Vector<Scalar> reciprocals;       ///< of Cholesky's pivots
-  Matrix<Scalar> lu;                ///< L below the diagonal, U on and above it
-  std::vector<Eigen::Index> swaps;  ///< the row that was exchanged with each
-  bool definite = true;
+  Vector<Scalar> reciprocals;       ///< 1 / L_ii of Cholesky's factor, r
+  Matrix<Scalar> lu;                ///< r x r: L below the diagonal (its own diagonal is 1), U on and above it
+  std::vector<Eigen::Index> swaps;  ///< row k was exchanged with row swaps[k]; r numbers
+  bool definite = true;             ///< which of the two factorizations is valid
 };
 
+/// Allocates the arrays for r x r matrices.
 template <class Scalar>
 Factors<Scalar> make_factors(Eigen::Index r);
-/// Of a symmetric matrix, by LU where Cholesky's method fails. Does not allocate.
+/// Factors a symmetric matrix, r x r: by Cholesky's method, or by LU if it is not positive definite. Does not allocate.
 template <class Scalar>
 void factor(const Matrix<Scalar>& matrix, Factors<Scalar>& factors);
-/// Of any matrix. Does not allocate.
+/// Factors any matrix, r x r, by LU. Does not detect a singular matrix. Does not allocate.
 template <class Scalar>
 void factor_unsymmetric(const Matrix<Scalar>& matrix, Factors<Scalar>& factors);
-/// x := matrix⁻¹ x. Does not allocate.
+/// x := matrix⁻¹ x, r numbers. Does not allocate.
 template <class Scalar>
 void solve_in_place(const Factors<Scalar>& factors, Vector<Scalar>& x);
 

@@ -3,8 +3,9 @@
 //   H3_ij = B_ijk z_k,  H4_ij = ½ C_ijkl z_k z_l,
 //   Ẽ = (A + H3/3 + H4/6) : zzᵀ / 2,  f̃ = dẼ/dz = (A + H3/2 + H4/3) z,  K̃ = df̃/dz = A + H3 + H4.
 //
-// The tangent's two matrices follow from the unique coefficients i ≤ j ≤ k ≤ l alone, three products for each; force
-// and energy cost next to nothing then. The coefficients are laid out for that pass, a register's width at a time.
+// H3 and H4 are computed from the coefficients with i ≤ j ≤ k ≤ l alone, with three products for each; after that,
+// force and energy cost almost nothing. The coefficients are stored in the order in which this pass reads them, a
+// vector register at a time.
 #pragma once
 #include "ritz/base/aligned.hpp"
 #include "ritz/model/model.hpp"
@@ -12,35 +13,38 @@
 
 namespace ritz::runtime {
 
-/// The coefficients, laid out; constant while they are used, by any number of threads.
+/// A polynomial force, its coefficients in the order of that pass. Evaluating does not change it: any number of threads
+/// can share it.
 template <class Scalar>
 struct PolynomialForce {
   Eigen::Index r = 0;
-  Matrix<Scalar> linear;                 ///< A = K̃(0), r x r
+  Matrix<Scalar> linear;                 ///< A = K̃(0), r x r, 1/s²
   AlignedVector<Scalar> cubic, quartic;  ///< B and C in the order of src/runtime/kernels.hpp
 
   Eigen::Index size() const { return r; }
 };
 
-/// Lays the polynomial out, in double or float. Throws InputError when its arrays do not have the sizes that r says.
+/// Brings the coefficients into that order, in double or float. Throws InputError when their numbers do not fit r.
 template <class Scalar>
 PolynomialForce<Scalar> make_polynomial_force(const model::Polynomial& polynomial);
 
-/// What one evaluation of an internal force returns, and room for it; one a thread.
+/// The result of an evaluation of an internal force, and its work arrays; every thread needs its own.
 template <class Scalar>
 struct Evaluation {
   Scalar energy = 0;       ///< Ẽ, J
-  Vector<Scalar> force;    ///< f̃, r
-  Matrix<Scalar> tangent;  ///< K̃, r x r, both triangles
-  Vector<Scalar> sums;
+  Vector<Scalar> force;    ///< f̃, r numbers, N/√kg
+  Matrix<Scalar> tangent;  ///< K̃, r x r, both triangles, 1/s²
+  Vector<Scalar> sums;     ///< work array, as those below
   AlignedVector<Scalar> point, room, result;
   std::vector<Evaluation> carried;  ///< of a body that a frame carries: the body's own
 };
 
+/// Allocates the result of evaluate.
 template <class Scalar>
 Evaluation<Scalar> make_evaluation(const PolynomialForce<Scalar>& force);
 
-/// Ẽ, f̃ and K̃ at z. Does not allocate. What is not finite in z is not finite in the result.
+/// Writes Ẽ, f̃ and K̃ at z, r numbers, to `result`. Does not allocate. Where z is not finite, the result is not finite
+/// either.
 template <class Scalar>
 void evaluate(const PolynomialForce<Scalar>& force, const VectorRef<Scalar>& z, Evaluation<Scalar>& result);
 

@@ -8,11 +8,12 @@
 
 namespace ritz::runtime {
 
-/// Displacements of all stored vertices, m: `displacements` is n_stored x 3 and has its size already. Does not
-/// allocate.
+/// Writes the displacements u = U z of all stored vertices, m, to `displacements`, which is n_stored x 3 and already
+/// has its size; z has r entries. Does not allocate.
 void reconstruct(const model::Basis& basis, Eigen::Ref<const Eigen::VectorXd> z, model::Points& displacements);
 
-/// The 3 x r matrix P whose product P z is the plain mean of the displacements of stored vertices `rows` (one: itself).
+/// The 3 x r matrix P for which P z is the mean displacement, m, of the stored vertices `rows` (rows of
+/// Geometry::points, at least one), all with the same weight.
 Eigen::MatrixXd mean_rows(const model::Basis& basis, std::span<const std::int64_t> rows);
 
 }  // namespace ritz::runtime

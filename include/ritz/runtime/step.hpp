@@ -1,4 +1,4 @@
-// Stepping a model through time.
+// Time stepping.
 #pragma once
 #include <limits>
 #include <optional>
@@ -9,12 +9,14 @@
 
 namespace ritz::runtime {
 
-/// Everything the next step depends on: store it and go on later, to the last bit.
+/// Everything that the next step depends on: a run that continues from a stored state repeats the original to the last
+/// bit.
 template <class Scalar>
 struct State {
-  Matrix<Scalar> history;  ///< r x history_size: columns z, z' (units of z per s), then the integrator's own
-  Scalar last_dt = 0;      ///< length of the last step (or of its last part), s; 0 at the start
-  std::optional<Frame<Scalar>> frame = {};  ///< of a body that one carries; then the first six of z are 0
+  Matrix<Scalar> history;  ///< r x history_size: z, z' (units of z per s), then the columns of the method's History
+  Scalar last_dt = 0;      ///< length of the last step (of its last part, if it was halved), s; 0 before the first step
+  std::optional<Frame<Scalar>> frame =
+      {};  ///< of a carried body, whose history has 6 + r rows; z begins with six zeros
 
   auto z() const { return history.col(0); }
   auto velocity() const { return history.col(1); }
@@ -23,19 +25,20 @@ struct State {
 /// Where a body is.
 template <class Scalar>
 struct Configuration {
-  VectorRef<Scalar> q;           ///< coordinates; of a carried body the first six mean nothing
-  const Frame<Scalar>* carrier;  ///< the frame; nullptr where none carries the body
+  VectorRef<Scalar> q;           ///< the coordinates; of a carried body the first six have no meaning of their own
+  const Frame<Scalar>* carrier;  ///< the frame of a carried body; nullptr where there is none
 };
 
-/// A force that depends on where the body is: a spring, a contact. Writes F(q), r, and ∂F/∂q, r x r, into arrays that
-/// have their sizes; s is how much of the step has passed, 0 ... 1. Of a carried body F acts on the velocity ν of
-/// frame.hpp (force and torque by the frame's axes, N and N m, then r numbers), and its derivative is by small motions
-/// of the frame by these axes, and by z.
+/// A force that depends on the position of the body, such as a spring or a contact. Writes F(q), r, and ∂F/∂q, r x r,
+/// to arrays that already have their sizes; s is the fraction of the step that has passed, 0 ... 1. For a carried body
+/// F has 6 + r components: force (N) and torque (N m) about the origin, by the axes of the frame, then those of z. Its
+/// derivative is then with respect to small motions of the frame by these axes, and to z.
 template <class Scalar>
 using PositionForce =
     std::function<void(const Configuration<Scalar>& at, Scalar s, Vector<Scalar>& force, Matrix<Scalar>& tangent)>;
 
-/// The reduced force over a step: Uᵀf, linear between its ends, each of r numbers; and what depends on the position.
+/// The reduced load over a step: Uᵀf, linear in time from `begin` to `end`, r numbers each; and a force that depends on
+/// the position, if any.
 template <class Scalar>
 struct StepLoad {
   VectorRef<Scalar> begin;
@@ -45,37 +48,39 @@ struct StepLoad {
 
 enum class Status : unsigned char {
   done,
-  not_finite,    ///< the step was rejected, the state is as before
-  not_converged  ///< the same: neither the step nor its halves converged
+  not_finite,    ///< a number was not finite; the state is as it was before the step
+  not_converged  ///< neither the step nor its halves converged; the state is as it was before the step
 };
 
+/// What a step did, all of its parts together.
 struct Outcome {
   Status status = Status::done;
-  int iterations = 0;     ///< Newton iterations that solved for a correction, all parts of the step together
-  int evaluations = 0;    ///< of forces and tangents; along a step (AVF) two points count as one
-  int rejected = 0;       ///< attempts that did not converge, and were halved
-  double work = 0;        ///< of the load, J: Σ δ·(f_n + f_{n+1})/2 over the parts; NaN of steps from a table
-  double dissipated = 0;  ///< by damping, J: Σ δ·D δ/Δt over the parts; NaN of steps from a table
+  int iterations = 0;     ///< Newton iterations that computed a correction
+  int evaluations = 0;    ///< of forces and tangents; the two points of a mean over the step (AVF) count as one
+  int rejected = 0;       ///< attempts that failed and were halved
+  double work = 0;        ///< of the loads, J: Σ δ·((f_n + f_{n+1})/2 + position force); NaN for steps from a table
+  double dissipated = 0;  ///< by damping, J: Σ δ·D δ/Δt; NaN for steps from a table
 };
 
-/// When Newton's iteration ends: ‖R‖ ≤ tolerance (‖inertia‖ + ‖force‖ + ‖the rest‖), or δ changes by rounding alone. A
-/// correction that enlarges ‖R‖ is halved.
+/// When Newton's iteration ends: when the residual R satisfies ‖R‖ ≤ tolerance (‖inertia‖ + ‖f̃‖ + ‖loads and
+/// history‖), or when δ changes by rounding errors alone. A correction that increases ‖R‖ is halved. Statics measure by
+/// ‖load‖ instead.
 template <class Scalar>
 struct NewtonOptions {
   Scalar tolerance = sizeof(Scalar) == 8 ? Scalar(1e-10) : 50 * std::numeric_limits<Scalar>::epsilon();
-  int iterations = 25;  ///< at most; then the step is rejected
-  int halvings = 10;    ///< of a rejected step, at most
+  int iterations = 25;  ///< at most; then the attempt is rejected
+  int halvings = 10;    ///< of a rejected step (statics: of the whole path), at most
 };
 
-/// The steps of oscillators, tabulated for one length of step.
+/// The coefficients of a step of each oscillator, for one step length.
 template <class Scalar>
 struct OscillatorTables {
-  double dt = 0;
-  Matrix<Scalar> step, start;  ///< r x history (history + 2): columns A (row by row), then b, then c
-  Matrix<Scalar> next;         ///< r x history
+  double dt = 0;               ///< the step length, s
+  Matrix<Scalar> step, start;  ///< r x history (history + 2): the entries of A (row by row), of b and of c
+  Matrix<Scalar> next;         ///< work array, r x history
 };
 
-/// Room for steps whose equation is solved: by Newton's method, or of explicit methods once.
+/// Work arrays of steps that solve an equation: by Newton's method, or once for explicit methods.
 template <class Scalar>
 struct NewtonRoom {
   Evaluation<Scalar> at_point;
@@ -86,17 +91,18 @@ struct NewtonRoom {
   Vector<Scalar> target = {}, acceleration = {}, velocity = {}, delta = {}, point = {};
   Vector<Scalar> residual = {}, correction = {}, correction_taken = {}, begin = {}, end = {};
   State<Scalar> before;
-  double highest_frequency = 0;  ///< rad/s at rest, of explicit methods
-  Scalar factored_dt = 0;        ///< s, whose M + drag D an explicit method has factored
-  // Of a force that depends on the position; empty for loads of time.
+  double highest_frequency = 0;  ///< of explicit methods: at rest, rad/s
+  Scalar factored_dt = 0;        ///< of explicit methods: the step length for which M + drag D is factored, s
+  // For a force that depends on the position; empty for loads that depend on time alone.
   Matrix<Scalar> position_tangent = {}, position_tangent_sum = {};
   Vector<Scalar> position_force = {}, position_point = {}, position_sum = {};
 };
 
-/// Whether loads have a part that depends on the position: then oscillators, too, are stepped by Newton's method.
+/// Whether the loads depend on time alone, or also on the position; in the second case oscillators, too, are stepped by
+/// Newton's method.
 enum class Loads : unsigned char { of_time, of_position };
 
-/// Room for a step; one a thread.
+/// The integrator, its options and its work arrays; every thread needs its own.
 template <class Scalar>
 struct Workspace {
   Integrator integrator;
@@ -105,28 +111,30 @@ struct Workspace {
   std::variant<OscillatorTables<Scalar>, NewtonRoom<Scalar>> room;
 };
 
-/// Oscillators take steps from a table, all others by Newton's method. Throws InputError when `dt` is not positive, or
-/// where the integrator cannot take it or not such a model.
+/// Prepares steps of `dt` seconds, for oscillators from a table, for all other models by Newton's method. Throws
+/// InputError when `dt` is not positive, when the integrator is not stable at this `dt`, or when it applies to
+/// oscillators alone and the model or the loads are of another kind.
 template <class Scalar>
 Workspace<Scalar> make_workspace(const Model<Scalar>& model, const Integrator& integrator,
                                  std::type_identity_t<Scalar> dt, const NewtonOptions<Scalar>& options = {},
                                  Loads loads = Loads::of_time);
 
-/// The state with given z and z' under the force `load`; its acceleration solves M a = load − D z' − f̃(z) − h. The
-/// frame of a carried body is at the origin; put it elsewhere afterwards.
+/// The state with the given z and z' under the load `load`, r numbers each. Where the integrator needs the acceleration
+/// a, it solves M a = load − D z' − f̃(z) − h. The frame of a carried body is at the origin; assign another one
+/// afterwards.
 template <class Scalar>
 State<Scalar> make_state(const Model<Scalar>& model, const Integrator& integrator, VectorRef<Scalar> z,
                          VectorRef<Scalar> velocity, VectorRef<Scalar> load);
 
-/// One step of `dt` seconds with the workspace's integrator. An attempt that does not converge or is not finite is
-/// rejected and halved, as often as the options allow; when that is not enough the state is left as it was. Does not
-/// allocate. Throws InputError where the integrator cannot take `dt`, and std::logic_error for a force of position in a
-/// workspace that was made for loads of time.
+/// Makes one step of `dt` seconds with the integrator of the workspace. An attempt that does not converge or is not
+/// finite is rejected, and its step is halved, as often as the options allow; if that is not enough the state is left
+/// as it was. Does not allocate. Throws InputError when the integrator is not stable at this `dt`, and std::logic_error
+/// for a position force in a workspace made for Loads::of_time.
 template <class Scalar>
 Outcome step(const Model<Scalar>& model, State<Scalar>& state, const StepLoad<Scalar>& load,
              std::type_identity_t<Scalar> dt, Workspace<Scalar>& workspace);
 
-/// ½ z'ᵀMz' + Ẽ(z), J.
+/// The energy ½ z'ᵀMz' + Ẽ(z), J. Overwrites `room`.
 template <class Scalar>
 Scalar energy(const Model<Scalar>& model, const State<Scalar>& state, Evaluation<Scalar>& room) {
   return energy<Scalar>(model, state.z(), state.velocity(), room);

@@ -1,4 +1,4 @@
-// Which states of a run become displacement frames.
+// Which states of a run are stored as displacement frames.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -6,17 +6,18 @@
 
 namespace ritz::scene {
 
-/// What a user asked for; nothing: all states up to 201 frames.
+/// What the user asked for; if neither member is set: all states, but at most 201 frames.
 struct FrameChoice {
-  std::optional<std::int64_t> frames;  ///< how many, evenly spread
-  std::optional<std::int64_t> every;   ///< or one every so many steps
+  std::optional<std::int64_t> frames;  ///< the number of frames, evenly spread
+  std::optional<std::int64_t> every;   ///< one frame every so many steps
 };
 
-/// How many frames that makes.
+/// The number of frames of a run of `steps` steps.
 std::int64_t frame_count(const FrameChoice& choice, std::int64_t steps);
 
-/// States are numbered 0 ... steps. Ascending: every so-many-th, or the asked number of frames spread evenly with the
-/// first and the last state among them (a single frame is the last), or by default all up to 201 frames.
+/// The states that are frames, ascending; states are numbered 0 ... steps. With `every`: 0, every, 2 every, ...; with
+/// `frames`: so many, spread evenly from the first state to the last (a single frame is the last state); by default as
+/// with `frames` = 201, or all states if there are fewer.
 std::vector<std::int64_t> frame_schedule(const FrameChoice& choice, std::int64_t steps);
 
 }  // namespace ritz::scene

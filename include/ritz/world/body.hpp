@@ -1,4 +1,4 @@
-// A body that moves: its equation, its state, and room for its steps. Push it and step it.
+// A body that moves: its equation of motion, its state, and the workspace of its steps.
 #pragma once
 #include <memory>
 
@@ -8,43 +8,43 @@
 
 namespace ritz::world {
 
-/// r, the number of reduced coordinates: of the reduction, or else of the modes.
+/// The number r of reduced coordinates: those of the reduction, or without one the number of modes.
 Eigen::Index reduced_size(const model::Body& body);
 
-/// The equation of motion of a stored body: of its polynomial where it has one, else that of small displacements over
-/// its basis or its modes.
+/// The equation of motion of a stored body: that of its polynomial if it has one, else the linear one (small
+/// displacements) of its reduction or its modes. Throws InputError as runtime::make_model does.
 template <class Scalar = double>
 runtime::Model<Scalar> make_model(const model::Body& body, const scene::Damping& damping = {});
 
-/// The integrator of that name, or where none is asked for the one that suits the model: "exact" for oscillators, else
-/// "avf".
+/// The integrator of that name; if none is asked for, "exact" for oscillators and "avf" for all other models.
 template <class Scalar>
 runtime::Integrator choose(std::optional<scene::Integrator> asked, const runtime::Model<Scalar>& model);
 
-/// A model that instances can share.
+/// Makes a model that instances can share.
 template <class Scalar>
 std::shared_ptr<const runtime::Model<Scalar>> share(runtime::Model<Scalar> model) {
   return std::make_shared<const runtime::Model<Scalar>>(std::move(model));
 }
 
-/// One of any number of bodies of a kind, which share the constant model.
+/// One of any number of bodies of one kind: they share the constant model, and each has its own state.
 template <class Scalar = double>
 struct Instance {
   std::shared_ptr<const runtime::Model<Scalar>> model;
   runtime::State<Scalar> state;
   runtime::Workspace<Scalar> workspace;
-  runtime::Vector<Scalar> load;  ///< Uᵀf at the end of the last step, r
-  Scalar dt = 0;                 ///< s
+  runtime::Vector<Scalar> load;  ///< Uᵀf at the end of the last step, r numbers, N/√kg
+  Scalar dt = 0;                 ///< step length, s
 };
 
-/// At rest under the force `load`, r, about to make steps of `dt` seconds. Throws InputError where the integrator
-/// cannot take such steps.
+/// An instance at rest (z = z' = 0) under the load `load`, r numbers, for steps of `dt` seconds. Throws InputError when
+/// the integrator cannot take such steps (see runtime::make_workspace).
 template <class Scalar>
 Instance<Scalar> make_instance(std::shared_ptr<const runtime::Model<Scalar>> model,
                                const runtime::Integrator& integrator, std::type_identity_t<Scalar> dt,
                                runtime::VectorRef<Scalar> load);
 
-/// One step, over which the force goes straight from the last one to `load`, r. Where it fails the state is as before.
+/// Makes one step, over which the load changes linearly from that of the last step to `load`, r numbers. On failure the
+/// state and the load are left as they were.
 template <class Scalar>
 runtime::Outcome step(Instance<Scalar>& instance, runtime::VectorRef<Scalar> load);
 

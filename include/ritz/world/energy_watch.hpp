@@ -1,37 +1,41 @@
-// Whether a motion gains energy that no load put in.
+// Whether a motion gains energy that the loads did not put in.
 #pragma once
 #include <optional>
 
 namespace ritz::world {
 
-/// How the energy E of a motion compares with what it began with, E₀, the loads' work W and what damping took, Q; in J.
+/// How the energy E of a motion compares with the energy E₀ at its start, the work W of the loads and the energy Q that
+/// damping dissipated. The drift is E − E₀ − W + Q. All in J.
 struct EnergyBalance {
   double start = 0;          ///< E₀
-  double gained = 0;         ///< the most of E − E₀ − W + Q
-  double lost = 0;           ///< the least of it, as a positive number
+  double gained = 0;         ///< the largest drift above zero
+  double lost = 0;           ///< the largest drift below zero, as a positive number
   double largest_drift = 0;  ///< the larger of the two
-  double available = 0;      ///< the most of E₀ + W − Q
+  double available = 0;      ///< the largest value so far of E₀ + W − Q and of |W − Q|
   double work = 0;           ///< W at the end
   double dissipated = 0;     ///< Q at the end
 };
 
-/// Energy from nowhere: E − E₀ − W + Q passed a tenth of what there was.
+/// The drift exceeded a tenth of the energy that was available.
 struct EnergyGain {
-  double since = 0;    ///< s, when it was first seen
-  double largest = 0;  ///< of what there was
+  double since = 0;    ///< when it first did, s
+  double largest = 0;  ///< the largest ratio of the drift to the available energy
 };
 
-/// Takes the work of each step, and the energy now and then.
+/// Adds up the work of all steps, and compares the energy whenever it is given.
 class EnergyWatch {
  public:
+  /// `energy`: E₀, J.
   explicit EnergyWatch(double energy) : balance_{.start = energy, .available = energy} {}
 
-  /// Of the loads and of damping over a step, J.
+  /// Adds the work of the loads and the energy dissipated by damping over one step, J.
   void add(double work, double dissipated);
-  /// The energy at time t, J.
+  /// Compares the energy at time t (s), J.
   void look(double t, double energy);
 
+  /// The balance of all steps and energies given so far.
   EnergyBalance balance() const;
+  /// The gain, if the drift ever exceeded a tenth of the available energy.
   std::optional<EnergyGain> gain() const;
 
  private:

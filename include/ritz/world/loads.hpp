@@ -1,4 +1,4 @@
-// From a scene's loads and probes to reduced vectors.
+// Projects the loads and probes of a scene onto reduced coordinates.
 #pragma once
 #include <Eigen/Core>
 #include <optional>
@@ -9,32 +9,35 @@
 
 namespace ritz::world {
 
-/// Three numbers of a scene as a vector.
+/// A vector of a scene as one of Eigen.
 Eigen::Vector3d vector(const scene::Vector3& v);
 
-/// Uᵀf(t) = Σ factor(table, t) force over the terms.
+/// The reduced load Uᵀf(t) = Σ factor(table, t) force, a sum over the terms.
 struct ReducedLoad {
   struct Term {
-    Eigen::VectorXd force;  ///< r
+    Eigen::VectorXd force;  ///< r numbers, N/√kg
     std::optional<scene::Table> table;
   };
   std::vector<Term> terms;
 
-  /// The load at time (or load fraction) t into `force`, which has its size r. Does not allocate.
+  /// Writes the load at time t (s; in statics the load fraction) to `force`, which already has its size r. Does not
+  /// allocate.
   void evaluate(const scene::Scene& scene, double t, Eigen::Ref<Eigen::VectorXd> force) const;
 };
 
-/// Uᵀb, r x 3, for a unit force along x, y, z that the target's vertices share equally: a force f, N, on the target is
-/// unit_force f on the reduced coordinates, and its transpose times z is the mean displacement of the target, m. Throws
-/// InputError for a set or vertex that the model does not have, naming the nearest set.
+/// Uᵀb, r x 3, 1/√kg, for a unit force along x, y, z that the vertices of the target share equally. A force f (N) on
+/// the target is unit_force f on the reduced coordinates, and unit_forceᵀ z is the mean displacement of the target, m.
+/// Throws InputError for a set that the model does not have (naming the nearest one), that is ambiguous or that is
+/// empty, and for a vertex that is not stored.
 Eigen::MatrixXd unit_force(const model::Body& body, const scene::Target& target);
 
-/// Projects forces, pressures, gravity (UᵀMR_t g) and shaking (-UᵀMR_t a). Throws InputError for a set or vertex that
-/// the model does not have, naming the nearest set, and for pressure or traction on a set without a surface.
+/// Projects forces, pressures, tractions, gravity g (UᵀMR_t g) and ground acceleration a (−UᵀMR_t a), with the unit
+/// translations R_t. Throws InputError as unit_force does, and for a pressure or traction on a set without a surface.
 ReducedLoad reduce_loads(const scene::Scene& scene, const model::Body& body);
 
-/// The 3p x r matrix P: P z are the displacements x, y, z of the scene's p probes, m. The mean over a set is the dual
-/// of a total force shared equally, so that it is known even where the set's vertices are not stored. Throws as above.
+/// The 3p x r matrix P, 1/√kg: P z are the displacements along x, y, z of the p probes of the scene, m. The mean over a
+/// set is the transpose of its unit_force, and so is known even where the vertices of the set are not stored. Throws
+/// InputError as unit_force does.
 Eigen::MatrixXd probe_matrix(const scene::Scene& scene, const model::Body& body);
 
 }  // namespace ritz::world
