@@ -1,8 +1,8 @@
-// The shapes of cells and of their faces, and the order of their vertices.
+// Cell and face types, and the order of their vertices.
 //
-// Vertex order is VTK's (for tetrahedra also Abaqus's): Tet10's mid-edge vertices lie on the edges
-// 01, 12, 20, 03, 13, 23. Hex8 is bottom face 0123 counter-clockwise seen from above, then the top face 4567.
-// A right-handed cell has a positive volume: (x1-x0) x (x2-x0) . (x3-x0) > 0 for a tetrahedron.
+// The vertex order is VTK's (for tetrahedra also Abaqus's). Tet10 has its mid-edge vertices on the edges 01, 12, 20,
+// 03, 13, 23. Hex8 has the bottom face 0123, counter-clockwise seen from above, then the top face 4567. A right-handed
+// cell has a positive volume: (x1-x0) x (x2-x0) . (x3-x0) > 0 for a tetrahedron.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -59,8 +59,8 @@ inline constexpr std::array<std::array<int, 4>, 6> hex_faces = {
     {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
 }  // namespace detail
 
-/// The cell's own vertex numbers (0 ... vertices-1) of face `face`, counter-clockwise seen from outside the cell;
-/// tri6: three corners, then the mid-edge vertices 01, 12, 20 of the face.
+/// The local vertex numbers (0 ... vertices-1) of face `face` of a cell, counter-clockwise seen from outside the cell;
+/// for tri6 the three corners, then the mid-edge vertices 01, 12, 20 of the face.
 constexpr std::span<const int> face_vertices(CellType type, int face) {
   const auto f = static_cast<std::size_t>(face);
   switch (type) {

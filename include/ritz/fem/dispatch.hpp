@@ -1,4 +1,4 @@
-// From a cell's type known at run time to its element known at compile time.
+// Selects the element struct for a cell type that is known only at run time.
 #pragma once
 #include <utility>
 
@@ -8,7 +8,7 @@
 
 namespace ritz::fem {
 
-/// Calls `f(Tet4{})`, `f(Tet10{})` or `f(Hex8{})` and returns what it returns: the same type for each.
+/// Calls `f(Tet4{})`, `f(Tet10{})` or `f(Hex8{})` and returns its result, which must have the same type for each:
 ///
 ///     visit(type, [&]<class E>(E) { return volume<E>(coordinates<E>(cell)); });
 template <class F>

@@ -1,4 +1,4 @@
-// Faces of cells, and the consistent loads on them.
+// Faces of cells, and consistent loads on them.
 #pragma once
 #include <utility>
 
@@ -7,7 +7,7 @@
 
 namespace ritz::fem {
 
-/// Reference triangle: corners (0,0), (1,0), (0,1).
+/// The linear triangle. Reference corners: (0,0), (1,0), (0,1).
 struct Tri3 {
   static constexpr FaceType type = FaceType::tri3;
   static constexpr int vertices = 3;
@@ -21,7 +21,7 @@ struct Tri3 {
   }
 };
 
-/// As Tri3, then the mid-edge vertices 01, 12, 20.
+/// The quadratic triangle: the corners of Tri3, then the mid-edge vertices 01, 12, 20.
 struct Tri6 {
   static constexpr FaceType type = FaceType::tri6;
   static constexpr int vertices = 6;
@@ -49,7 +49,7 @@ struct Tri6 {
   }
 };
 
-/// Reference square [-1, 1]², counter-clockwise.
+/// The bilinear quadrilateral. Reference square [-1, 1]², vertices counter-clockwise.
 struct Quad4 {
   static constexpr FaceType type = FaceType::quad4;
   static constexpr int vertices = 4;
@@ -71,23 +71,24 @@ struct Quad4 {
   }
 };
 
-/// p_a = ∫ N_a n dA, m², a column a vertex; exact, curved faces too. n points out of the cell when the vertices are in
-/// the order of fem::face_vertices: the forces of a pressure p that pushes into the body are -p p_a.
+/// p_a = ∫ N_a n dA, m², 3 x vertices with one column for each vertex; exact, also on curved faces. n points out of the
+/// cell if the vertices are in the order of face_vertices; the force on vertex a of a pressure p that pushes into the
+/// body is -p p_a.
 template <class F>
 Coordinates<F> pressure_vectors(const Coordinates<F>& x);
 
-/// w_a = ∫ N_a dA, m²: the force of a traction t on vertex a is w_a t. Exact on plane faces (on warped ones the
-/// integrand has a root in it, and the rule has degree 5 or more).
+/// w_a = ∫ N_a dA, m²: the force of a traction t on vertex a is w_a t. Exact on plane faces; on warped ones the
+/// integrand contains a square root, and the rule has degree 5 or more.
 template <class F>
 Vector<F::vertices> traction_weights(const Coordinates<F>& x);
 
-/// m².
+/// The area of the face, m².
 template <class F>
 double area(const Coordinates<F>& x) {
   return traction_weights<F>(x).sum();
 }
 
-/// Calls `f(Tri3{})`, `f(Tri6{})` or `f(Quad4{})` and returns what it returns: the same type for each.
+/// Calls `f(Tri3{})`, `f(Tri6{})` or `f(Quad4{})` and returns its result, which must have the same type for each.
 template <class Callable>
 constexpr decltype(auto) visit(FaceType type, Callable&& f) {
   switch (type) {

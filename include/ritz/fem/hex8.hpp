@@ -5,15 +5,15 @@
 
 namespace ritz::fem {
 
-/// Reference cube [-1, 1]³: bottom face 0123 counter-clockwise seen from above, then the top face 4567.
+/// The element. Reference cube [-1, 1]³: bottom face 0123, counter-clockwise seen from above, then the top face 4567.
 struct Hex8 {
   static constexpr CellType type = CellType::hex8;
   static constexpr int vertices = 8;
   static constexpr std::array<Point<3>, 8> reference = {
       {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}};
-  /// Force, stiffness, derivatives and polynomial share this rule.
+  /// The quadrature rule of force, stiffness, modal derivatives and polynomial.
   static constexpr auto& rule = quadrature::cube_8;
-  /// Exact for N_a N_b det J of the trilinear map.
+  /// The quadrature rule of the mass: exact for N_a N_b det J of the trilinear map.
   static constexpr auto& mass_rule = quadrature::cube_27;
 
   /// N_a at `xi`.
@@ -26,7 +26,7 @@ struct Hex8 {
     return N;
   }
 
-  /// dN_a/dxi, a row a vertex.
+  /// dN_a/dxi, one row for each vertex.
   static Matrix<8, 3> gradient(const Point<3>& xi) {
     Matrix<8, 3> g;
     for (int a = 0; a < 8; ++a) {

@@ -1,7 +1,7 @@
-// What a material law is: how a material stores energy and resists, as a function of the displacement gradient.
+// What a material law is: the stored energy and the stress of a material as functions of the displacement gradient.
 //
-// With u the displacement, G = ∇u (G_ij = ∂u_i/∂X_j) and F = I + G the deformation gradient. A law is given G and not
-// F, because small strains would lose their digits in F.
+// u is the displacement, G = ∇u (G_ij = ∂u_i/∂X_j) its gradient, and F = I + G the deformation gradient. A law is given
+// G instead of F, because small strains would lose digits in F.
 #pragma once
 #include <cmath>
 #include <concepts>
@@ -11,19 +11,19 @@
 
 namespace ritz::fem {
 
-/// At one point. A state that the law does not know (det F ≤ 0 under a logarithm) has the energy NaN, and whoever
-/// solves for an equilibrium rejects it.
+/// The response of a law at one point. For a state that the law does not admit (such as det F ≤ 0 under a logarithm)
+/// energy and stress are NaN; solvers reject such a state.
 struct Response {
-  double energy;        ///< W, J/m³ of the body at rest
-  Matrix<3, 3> stress;  ///< P = ∂W/∂F, first Piola-Kirchhoff, Pa
+  double energy;        ///< W, J per m³ of the body at rest
+  Matrix<3, 3> stress;  ///< first Piola-Kirchhoff stress P = ∂W/∂F, Pa
 };
 
-/// ∂P/∂F, Pa, symmetric: row i + 3j is P_ij, column k + 3l is F_kl.
+/// The tangent moduli ∂P/∂F, Pa, symmetric: row i + 3j is P_ij, column k + 3l is F_kl.
 using Moduli = Matrix<9, 9>;
 
-/// An isotropic law near rest, by Lamé's constants and Landau's three constants of third order, all Pa:
-/// W = λ/2 tr²E + μ tr E² + A/3 tr E³ + B tr E tr E² + C/3 tr³E + O(E⁴), E the Green-Lagrange strain
-/// [Landau and Lifshitz, Theory of Elasticity, § 26]. Vibrations depend on λ and μ, modal derivatives on all five.
+/// An isotropic law near rest, given by Lamé's constants and Landau's three constants of third order, all in Pa:
+/// W = λ/2 tr²E + μ tr E² + A/3 tr E³ + B tr E tr E² + C/3 tr³E + O(E⁴), where E is the Green-Lagrange strain [Landau
+/// and Lifshitz, Theory of Elasticity, § 26]. Vibration modes depend on λ and μ, modal derivatives on all five.
 struct ElasticConstants {
   double lambda, mu;
   double A = 0, B = 0, C = 0;
@@ -40,10 +40,10 @@ inline double lame_lambda(double young, double poisson) {
 /// The shear modulus μ = E / (2(1+ν)), Pa.
 inline double shear_modulus(double young, double poisson) { return young / (2 * (1 + poisson)); }
 
-/// One number that a law is told, and the open interval it must lie in.
+/// A parameter of a law, and the open interval (above, below) in which its value must lie.
 struct Parameter {
   const char* name;   ///< in options and files
-  const char* words;  ///< in sentences
+  const char* words;  ///< in messages
   const char* units;
   double above, below;
 };
@@ -52,8 +52,8 @@ inline constexpr Parameter young_modulus = {"young", "Young's modulus", "Pa", 0,
                                             std::numeric_limits<double>::infinity()};
 inline constexpr Parameter poisson_ratio = {"poisson", "Poisson's ratio", "1", -1, .5};
 
-/// A law is a struct of its parameters, in the order of L::parameters, with these members. It has no stress at rest:
-/// response(0) is zero.
+/// A law is a struct of its parameters, in the order of L::parameters, with these members. It must have no stress at
+/// rest: response(0) is zero.
 template <class L>
 concept Law = requires(const L& law, const Matrix<3, 3>& G) {
   { L::name } -> std::convertible_to<const char*>;  ///< as users write it
@@ -64,14 +64,14 @@ concept Law = requires(const L& law, const Matrix<3, 3>& G) {
   { law.at_rest() } -> std::same_as<ElasticConstants>;
 };
 
-/// A law whose force is a polynomial in the displacement, of degree L::force_degree. Whatever is exact for such laws
-/// alone asks for this.
+/// A law whose force is a polynomial in the displacement, of degree L::force_degree. It is required where a computation
+/// is exact for such laws only.
 template <class L>
 concept PolynomialLaw = Law<L> && requires {
   { L::force_degree } -> std::convertible_to<int>;
 };
 
-/// a B_ij B_kl + b B_il B_kj, which the moduli of many laws are made of.
+/// a B_ij B_kl + b B_il B_kj, of which the moduli of many laws are composed.
 inline Moduli moduli_of_products(const Matrix<3, 3>& B, double a, double b) {
   Moduli A;
   for (int l = 0; l < 3; ++l)
@@ -80,7 +80,7 @@ inline Moduli moduli_of_products(const Matrix<3, 3>& B, double a, double b) {
   return A;
 }
 
-/// J − 1 − tr G = det(I + G) − 1 − tr G, to full relative precision for small G.
+/// J − 1 − tr G = det(I + G) − 1 − tr G, with full relative precision for small G.
 inline double nonlinear_volume_change(const Matrix<3, 3>& G) {
   const double minors = G(0, 0) * G(1, 1) - G(0, 1) * G(1, 0) + G(1, 1) * G(2, 2) - G(1, 2) * G(2, 1) +
                         G(2, 2) * G(0, 0) - G(2, 0) * G(0, 2);
@@ -90,7 +90,7 @@ inline double nonlinear_volume_change(const Matrix<3, 3>& G) {
   return minors + determinant;
 }
 
-/// x − ln(1 + x), to full relative precision for small x, by ln(1 + x) = 2 artanh(x / (2 + x)).
+/// x − ln(1 + x), with full relative precision for small x, from ln(1 + x) = 2 artanh(x / (2 + x)).
 inline double less_its_logarithm(double x) {
   if (std::abs(x) > .25) return x - std::log1p(x);
   const double s = x / (2 + x), square = s * s;
@@ -99,7 +99,7 @@ inline double less_its_logarithm(double x) {
   return s * (x - 2 * tail);
 }
 
-/// What a law answers to a state that it does not know.
+/// The response to a state that a law does not admit: NaN.
 inline Response unknown() {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   return {nan, Matrix<3, 3>::Constant(nan)};

@@ -1,6 +1,6 @@
-// The materials of a body: any of the laws, with a density.
+// The materials of a body: each is one of the laws, with a density.
 //
-// A new law is one file in laws/ and its name in the list below.
+// A new law is one file in laws/, and its name in the list below.
 #pragma once
 #include <functional>
 #include <optional>
@@ -16,7 +16,7 @@ namespace ritz::fem {
 
 using AnyLaw = std::variant<StVK, NeoHookean>;
 
-/// Where nothing is said.
+/// The law of a material for which none is given.
 inline constexpr const char* default_law = StVK::name;
 
 struct Material {
@@ -28,39 +28,42 @@ struct Material {
   }
 };
 
-/// The responses and moduli of a material at a batch of points, given their displacement gradients: what elements ask,
-/// so that elements and laws are compiled apart. The spans are of one length.
+/// Compute the responses and the moduli of a material at a batch of points, from the displacement gradients there.
+/// Elements call these, so that elements and laws are compiled separately. The spans have the same length.
 void respond(const Material& material, std::span<const Matrix<3, 3>> gradients, std::span<Response> responses);
 void linearise(const Material& material, std::span<const Matrix<3, 3>> gradients, std::span<Moduli> moduli);
 
-/// One a region of the mesh.
+/// The materials of a mesh, one for each region.
 using Materials = std::vector<Material>;
 
 /// The names of all laws, as users write them.
 std::vector<std::string_view> law_names();
 
+/// The name of a law, as users write it.
 inline const char* name(const AnyLaw& law) {
   return std::visit([](const auto& any) { return any.name; }, law);
 }
 
-/// The law of that name, made of what `value` says of each of its parameters; nothing where there is no such law.
+/// The law called `name`, with the values that `value` returns for its parameters; nothing if there is no such law. The
+/// values are not checked (see ParameterValue::possible).
 std::optional<AnyLaw> make_law(std::string_view name, const std::function<double(const Parameter&)>& value);
 
 struct ParameterValue {
   Parameter parameter;
   double value;
 
-  /// Whether it is a finite number in the parameter's interval.
+  /// Whether `value` is finite and lies in the parameter's interval.
   bool possible() const { return value > parameter.above && value < parameter.below; }
 };
 
-/// What a law was told.
+/// The parameters of a law and their values.
 std::vector<ParameterValue> parameters(const AnyLaw& law);
 
-/// The degree of the force of all of them as a polynomial in the displacement; nothing where one has none.
+/// The highest degree of the materials' forces as polynomials in the displacement (at least 1); nothing if one is not a
+/// polynomial.
 std::optional<int> force_degree(const Materials& materials);
 
-/// All laws as L, one a region; nothing where one is another.
+/// The laws of all materials as L, one for each region; nothing if one of them is another law.
 template <Law L>
 std::optional<std::vector<L>> all_of(const Materials& materials) {
   std::vector<L> laws;

@@ -1,7 +1,7 @@
 // Quadrature rules as constants: ∫ f ≈ Σ weight f(xi).
 //
-// Reference domains: the tetrahedron and the triangle with corners 0 and the unit vectors (volume 1/6, area 1/2);
-// the cube [-1, 1]³ (8) and the square [-1, 1]² (4). Every point is inside, every weight is positive.
+// Reference domains: the tetrahedron and the triangle with corners 0 and the unit vectors (volume 1/6, area 1/2); the
+// cube [-1, 1]³ (volume 8) and the square [-1, 1]² (area 4). All points lie inside, and all weights are positive.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -10,23 +10,25 @@
 
 namespace ritz::fem {
 
+/// A quadrature point and its weight.
 template <int d>
 struct Sample {
   Point<d> xi;
   double weight;
 };
 
+/// A quadrature rule of n points in d dimensions.
 template <int d, std::size_t n>
 using Rule = std::array<Sample<d>, n>;
 
 namespace quadrature {
 
-/// Gauss-Legendre on [-1, 1], degrees 3 and 5.
+/// Gauss-Legendre on [-1, 1]: exact up to degree 3 with two points, 5 with three.
 inline constexpr Rule<1, 2> gauss_2 = {{{{-0.57735026918962576451}, 1}, {{0.57735026918962576451}, 1}}};
 inline constexpr Rule<1, 3> gauss_3 = {
     {{{-0.77459666924148337704}, 5. / 9}, {{0}, 8. / 9}, {{0.77459666924148337704}, 5. / 9}}};
 
-/// Gauss-Jacobi on [0, 1] with the weight function (1-t)^a, a = 0, 1, 2; degree 7 beside it.
+/// Gauss-Jacobi on [0, 1] for the weight function (1-t)^a, a = 0, 1, 2: exact for polynomials up to degree 7.
 inline constexpr std::array<Rule<1, 4>, 3> gauss_jacobi_4 = {{{{{{0.06943184420297371239}, 0.17392742256872692869},
                                                                 {{0.33000947820757186760}, 0.32607257743127307131},
                                                                 {{0.66999052179242813240}, 0.32607257743127307131},
@@ -40,6 +42,7 @@ inline constexpr std::array<Rule<1, 4>, 3> gauss_jacobi_4 = {{{{{{0.069431844202
                                                                 {{0.51704729510436750234}, 0.06863388717292307532},
                                                                 {{0.79585141789677286330}, 0.01035224074991806528}}}}};
 
+/// The product of a rule with itself on the square.
 template <std::size_t n>
 constexpr Rule<2, n * n> square(const Rule<1, n>& line) {
   Rule<2, n* n> rule = {};
@@ -49,6 +52,7 @@ constexpr Rule<2, n * n> square(const Rule<1, n>& line) {
   return rule;
 }
 
+/// The product of a rule with itself on the cube.
 template <std::size_t n>
 constexpr Rule<3, n * n * n> cube(const Rule<1, n>& line) {
   Rule<3, n* n* n> rule = {};
@@ -58,7 +62,7 @@ constexpr Rule<3, n * n * n> cube(const Rule<1, n>& line) {
   return rule;
 }
 
-/// The conical product [Stroud 1971]: the cube [0, 1]³ collapsed onto the tetrahedron, degree 7.
+/// The conical product [Stroud 1971] of degree 7: the cube [0, 1]³ collapsed onto the tetrahedron.
 constexpr Rule<3, 64> conical_tetrahedron() {
   Rule<3, 64> rule = {};
   std::size_t k = 0;
@@ -69,7 +73,7 @@ constexpr Rule<3, 64> conical_tetrahedron() {
   return rule;
 }
 
-/// Degree 6 [Dunavant 1985], symmetric.
+/// The symmetric rule of degree 6 on the triangle [Dunavant 1985].
 constexpr Rule<2, 12> symmetric_triangle() {
   constexpr double a = 0.24928674517091042129, wa = 0.05839313786318968301;
   constexpr double b = 0.06308901449150222834, wb = 0.02542245318510340846;
@@ -89,7 +93,7 @@ constexpr Rule<2, 12> symmetric_triangle() {
            {{e, d}, wc}}};
 }
 
-/// Degree 2: (5 - √5)/20 and (5 + 3√5)/20 in barycentric coordinates.
+/// The rule of degree 2 on the tetrahedron, with the barycentric coordinates (5 - √5)/20 and (5 + 3√5)/20.
 constexpr Rule<3, 4> keast_tetrahedron() {
   constexpr double a = 0.13819660112501051518, b = 0.58541019662496845446;
   return {{{{a, a, a}, 1. / 24}, {{b, a, a}, 1. / 24}, {{a, b, a}, 1. / 24}, {{a, a, b}, 1. / 24}}};

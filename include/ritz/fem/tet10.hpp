@@ -4,7 +4,8 @@
 
 namespace ritz::fem {
 
-/// Reference tetrahedron as Tet4's; vertices 4 ... 9 at the middle of the edges 01, 12, 20, 03, 13, 23.
+/// The element. Reference tetrahedron as for Tet4; vertices 4 ... 9 are the midpoints of the edges 01, 12, 20, 03, 13,
+/// 23.
 struct Tet10 {
   static constexpr CellType type = CellType::tet10;
   static constexpr int vertices = 10;
@@ -20,12 +21,12 @@ struct Tet10 {
                                                           {0, 0, .5},
                                                           {.5, 0, .5},
                                                           {0, .5, .5}}};
-  /// Force, stiffness, derivatives and polynomial share this rule.
+  /// The quadrature rule of force, stiffness, modal derivatives and polynomial.
   static constexpr auto& rule = quadrature::tetrahedron_4;
-  /// Exact for N_a N_b det J on curved cells: degree 2 + 2 + 3.
+  /// The quadrature rule of the mass: exact for N_a N_b det J on curved cells, of degree 2 + 2 + 3.
   static constexpr auto& mass_rule = quadrature::tetrahedron_64;
 
-  /// N_a at `xi`: L(2L - 1) at a corner, 4 L_i L_j on an edge, L the barycentric coordinates.
+  /// N_a at `xi`: L(2L - 1) at a corner and 4 L_i L_j on an edge, where L are the barycentric coordinates.
   static Vector<10> shape(const Point<3>& xi) {
     const Vector<4> L = Tet4::shape(xi);
     Vector<10> N;
@@ -34,7 +35,7 @@ struct Tet10 {
     return N;
   }
 
-  /// dN_a/dxi, a row a vertex.
+  /// dN_a/dxi, one row for each vertex.
   static Matrix<10, 3> gradient(const Point<3>& xi) {
     const Vector<4> L = Tet4::shape(xi);
     const Matrix<4, 3> dL = Tet4::gradient(xi);

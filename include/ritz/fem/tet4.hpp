@@ -5,20 +5,20 @@
 
 namespace ritz::fem {
 
-/// Reference tetrahedron: vertex 0 at the origin, 1, 2, 3 at the unit vectors.
+/// The element. Reference tetrahedron: vertex 0 at the origin, vertices 1, 2, 3 at the unit vectors.
 struct Tet4 {
   static constexpr CellType type = CellType::tet4;
   static constexpr int vertices = 4;
   static constexpr std::array<Point<3>, 4> reference = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  /// Force, stiffness, derivatives and polynomial share this rule.
+  /// The quadrature rule of force, stiffness, modal derivatives and polynomial.
   static constexpr auto& rule = quadrature::tetrahedron_1;
-  /// Exact for N_a N_b det J.
+  /// The quadrature rule of the mass: exact for N_a N_b det J.
   static constexpr auto& mass_rule = quadrature::tetrahedron_4;
 
   /// N_a at `xi`.
   static Vector<4> shape(const Point<3>& xi) { return {1 - xi[0] - xi[1] - xi[2], xi[0], xi[1], xi[2]}; }
 
-  /// dN_a/dxi, a row a vertex.
+  /// dN_a/dxi, one row for each vertex.
   static Matrix<4, 3> gradient(const Point<3>&) {
     Matrix<4, 3> g;
     g << -1, -1, -1, 1, 0, 0, 0, 1, 0, 0, 0, 1;

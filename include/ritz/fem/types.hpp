@@ -1,4 +1,4 @@
-// Fixed-size values that elements are made of.
+// Fixed-size vectors and matrices for elements.
 #pragma once
 #include <Eigen/Core>
 #include <array>
@@ -15,7 +15,7 @@ using Matrix = Eigen::Matrix<double, m, n>;
 template <int d>
 using Point = std::array<double, d>;
 
-/// The vertices of one cell or face E, a column each, m.
+/// The vertices of one cell or face E, 3 x vertices with one column for each, m.
 template <class E>
 using Coordinates = Matrix<3, E::vertices>;
 

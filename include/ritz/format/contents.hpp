@@ -1,4 +1,4 @@
-// What is in a model file, dataset by dataset, whatever parts it has.
+// The datasets of a model file, whatever parts it has.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -9,18 +9,19 @@
 namespace ritz::format {
 
 struct DatasetInfo {
-  std::string path;  ///< the first of its names
+  std::string path;  ///< one of its names: the first that is found
   std::vector<std::int64_t> shape;
   std::string units;
-  std::uint64_t bytes = 0;  ///< stored; 0 for a virtual dataset
-  bool is_virtual = false;  ///< a view of other datasets: has no bytes and no checksum of its own
+  std::uint64_t bytes = 0;  ///< size in the file; 0 for a virtual dataset
+  bool is_virtual = false;  ///< a view of other datasets: no bytes and no checksum of its own
 };
 
-/// Every dataset once (a hard link is not a second dataset): bodies, provenance, report, then ParaView's own.
-/// Throws InputError for a dataset without units or whose description is damaged.
+/// Lists every dataset once, though hard links give some several names: those of the bodies, of the provenance, of the
+/// report, then those for ParaView alone. Throws InputError for a dataset without units or with a damaged header.
 std::vector<DatasetInfo> contents(const ModelReader& in);
 
-/// Reads all of a dataset that is not virtual and compares its checksum. Throws InputError when it differs.
+/// Reads the whole dataset and compares its checksum; does nothing for a virtual one. Throws InputError when the
+/// checksum differs.
 void verify(const ModelReader& in, const DatasetInfo& dataset);
 
 }  // namespace ritz::format

@@ -1,4 +1,4 @@
-// HDF5's numbers for open things, owned: closed when they go out of scope.
+// Owning handles of open HDF5 objects: they close when they go out of scope.
 #pragma once
 #include <hdf5.h>
 
@@ -6,7 +6,8 @@
 
 namespace ritz::format {
 
-/// Owns one hid_t and closes it with `Close`. Move-only; a negative number (HDF5's sign of failure) owns nothing.
+/// Owns one hid_t and closes it with `Close`. Move-only. A negative number, with which HDF5 reports failure, owns
+/// nothing.
 template <herr_t (*Close)(hid_t)>
 class Handle {
  public:
@@ -21,9 +22,9 @@ class Handle {
 
   hid_t get() const { return id_; }
   explicit operator bool() const { return id_ >= 0; }
-  /// Closes early; false when HDF5 reports a failure.
+  /// Closes the object now; false when HDF5 reports a failure.
   bool close() { return id_ < 0 || Close(std::exchange(id_, H5I_INVALID_HID)) >= 0; }
-  /// Leaves it open for ever.
+  /// Gives up ownership without closing: the object stays open until the process ends.
   void release() { id_ = H5I_INVALID_HID; }
 
  private:

@@ -1,11 +1,11 @@
-// How a program that reads or writes files begins.
+// Initialisation of a program that reads or writes files.
 #pragma once
 
 namespace ritz::format {
 
-/// To be called once, before anything else of this layer. From then on the library underneath prints no error of its
-/// own, since every error is thrown with one sentence, and does nothing when the process ends, where it would crash
-/// after a damaged file or a full disk.
+/// Call this once, before anything else of this layer. From then on HDF5 prints no errors of its own (every error is
+/// thrown as an exception with one sentence) and does nothing at the end of the process, where it would crash after a
+/// damaged file or a full disk.
 void silence_library();
 
 }  // namespace ritz::format

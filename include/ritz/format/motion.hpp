@@ -1,5 +1,6 @@
-// The files of motions, as they are written: motion.h5 of a reduced body and full.h5 of an unreduced one, each with an
-// .xdmf beside it, through which ParaView sees it. One process writes them. src/format/README.md has their datasets.
+// Writing of motions: motion.h5 of a reduced body and full.h5 of an unreduced one, each with an .xdmf file for ParaView
+// beside it. One process writes them. src/format/README.md lists their datasets. What cannot be written is thrown as
+// files::fail_to_write does: as a rule NumericalError (a full disk), for a bad name InputError.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -15,31 +16,30 @@
 
 namespace ritz::format {
 
-/// The .xdmf beside the motion file `path`, which messages call `name` ("--output motion.h5").
-/// Throws InputError where that is `path` itself.
+/// The path of the .xdmf file beside the motion file `path`, which messages call `name` ("--output motion.h5"). Throws
+/// InputError when `path` itself ends in .xdmf.
 std::filesystem::path xdmf_path(std::filesystem::path path, const std::string& name);
 
-/// Whether a dataset gets a checksum; if so, it is that of a model's datasets, over rows of the three numbers of a
+/// Whether a dataset gets a checksum: if so, as the datasets of a model, with one row for the three numbers of each
 /// vertex.
 enum class Checked : std::uint8_t { no, by_vertex };
 
-/// A dataset of 64-bit floats that is written from its first number to its last, piece after piece.
-/// All members throw NumericalError when the disk does not take them.
+/// A dataset of 64-bit floats that is written in order, piece by piece.
 class NumberStream {
  public:
   using Extent = std::vector<hsize_t>;
 
   NumberStream() = default;
-  /// Creates the dataset with the attribute "units". Pieces that are not whole rows (what stands behind the first
-  /// index) are taken in up to two dimensions.
+  /// Creates the dataset with the attribute "units". Pieces may end within a row (all numbers of one first index) only
+  /// if the dataset has at most two dimensions.
   NumberStream(hid_t file, const std::string& name, Extent shape, const std::string& units,
                Checked checked = Checked::no);
 
   explicit operator bool() const { return static_cast<bool>(dataset_); }
   const Extent& shape() const { return shape_; }
-  /// The numbers that follow the last ones.
+  /// Appends the numbers that follow.
   void append(std::span<const double> piece);
-  /// Closes the dataset, which is then on its way to the disk.
+  /// Writes what is pending and the checksum, and closes the dataset.
   void close();
 
  private:
@@ -48,34 +48,35 @@ class NumberStream {
   Dataset dataset_;
   Extent shape_;
   Checked checked_ = Checked::no;
-  std::vector<double> pending_;  ///< small pieces, not written yet
-  std::uint64_t written_ = 0;    ///< numbers
-  std::uint64_t sum_ = 0;        ///< the checksum so far
+  std::vector<double> pending_;  ///< small pieces that are not written yet
+  std::uint64_t written_ = 0;    ///< how many numbers are written
+  std::uint64_t sum_ = 0;        ///< the checksum of those
 };
 
-/// The cells and vertices of the body that moves.
+/// The cells and vertices of the moving body, which are the same in all frames.
 struct StillBody {
   std::int64_t vertices = 0, cells = 0;
-  std::span<const std::int64_t> topology;  ///< of all cells, as mixed_topology has it
-  std::span<const std::int64_t> vertex_ids;
+  std::span<const std::int64_t> topology;    ///< of all cells, as mixed_topology returns it
+  std::span<const std::int64_t> vertex_ids;  ///< the mesh file's own number of each vertex
 };
 
-/// What both kinds of file have: the names that they get when they are whole, and what draws their frames.
+/// What motion.h5 and full.h5 have in common: part files that take their names when they are complete, and the frames
+/// for ParaView.
 class MotionFile {
  public:
-  /// checked: HDF5's own records have checksums, for files that are read again.
+  /// checked: HDF5's own records carry checksums, for files that are read again.
   enum class Records : std::uint8_t { plain, checked };
-  /// Throws InputError or NumericalError when the file cannot be created.
+  /// Creates the part file. Throws InputError or NumericalError when it cannot be created.
   MotionFile(const std::filesystem::path& path, Records records);
 
   hid_t file() const { return file_.get(); }
-  /// Writes what does not move but for the points, shows each row of the first dimension of `frames` as a frame, and
-  /// makes the .xdmf.
+  /// Writes cells, vertex numbers and frame times (not the points), makes each index of the first dimension of the
+  /// dataset `frames`, called `name`, visible as one frame, and writes the .xdmf.
   void show_frames(const StillBody& body, std::span<const double> frame_times, const std::string& time_units,
                    const std::string& name, const NumberStream& frames);
-  /// Closes the files and brings them to the disk. Throws NumericalError when not all could be written.
+  /// Closes the files and flushes them to the disk.
   void finish();
-  /// Gives the files their names.
+  /// Renames the part files to their final names.
   void publish();
 
  private:
@@ -84,23 +85,24 @@ class MotionFile {
   File file_;
 };
 
-/// What is known of a reduced motion before anything moves.
+/// The sizes and times of a reduced motion, known before the run.
 struct MotionPlan {
-  std::int64_t states;
+  std::int64_t states;   ///< number of states
   Eigen::Index columns;  ///< r
   std::vector<double> frame_times;
-  std::string time_units;  ///< "s"; of load fractions "1"
+  std::string time_units;  ///< "s"; in statics "1", as the times are load fractions
 };
 
-/// motion.h5, of a body that moves by u = U z.
+/// Writes motion.h5, for a body that moves by u = U z.
 class ReducedMotion {
  public:
-  /// Writes what does not move. Throws InputError when the files cannot be created or a cell has a type that XDMF does
-  /// not draw.
+  /// Writes points, cells and times. Throws InputError when the files cannot be created or a cell has a type that XDMF
+  /// cannot draw.
   ReducedMotion(const std::filesystem::path& path, const model::Geometry& geometry, const MotionPlan& plan);
 
-  /// The next state, the next frame: as many as planned.
+  /// Appends the next state: t in s or load fractions, z of r numbers. To be called plan.states times.
   void state(double t, Eigen::Ref<const Eigen::VectorXd> z);
+  /// Appends the next frame, n_stored x 3, m. To be called once for each of plan.frame_times.
   void frame(const model::Points& displacement);
   void finish();
   void publish() { file_.publish(); }
@@ -110,39 +112,40 @@ class ReducedMotion {
   NumberStream times_, z_, displacement_;
 };
 
-/// What is known of an unreduced motion before anything moves.
+/// The times of an unreduced motion, known before the run.
 struct FullPlan {
   std::vector<double> times;        ///< of all states
   std::vector<double> frame_times;  ///< of the frames among them
-  std::string time_units;           ///< "s"; of load fractions "1"
+  std::string time_units;           ///< "s"; in statics "1", as the times are load fractions
 };
 
 enum class StateKind : std::uint8_t { at_rest, moving };
 
-/// What is said of the last state, from which another run can go on, besides its three vectors.
+/// The last state, from which another run can continue, apart from its three vectors.
 struct StateRecord {
   StateKind kind = StateKind::moving;
-  std::string integrator;                 ///< whose acceleration is stored; "none" at rest
-  std::string problem_checksum;           ///< of mesh, materials and supports
-  std::map<std::string, double> numbers;  ///< t, kinetic, elastic, work, dissipated and start, by name
+  std::string integrator;                 ///< the method that computed the stored acceleration; "none" at rest
+  std::string problem_checksum;           ///< checksum of mesh, materials and supports
+  std::map<std::string, double> numbers;  ///< by name: t (s), kinetic, elastic, work, dissipated and start (J)
 };
 
-/// The arrays of three numbers a vertex in full.h5.
+/// The arrays of full.h5 with three numbers for each vertex.
 enum class VertexArray : std::uint8_t { points, displacement, velocity, acceleration };
 
-/// full.h5, whose large arrays are written in pieces, in the mesh file's order of vertices.
+/// Writes full.h5. Its large arrays are appended to in pieces, in the vertex order of the mesh file.
 class FullMotion {
  public:
-  /// Throws as MotionFile does.
+  /// Creates the part file and writes the times. Throws as the constructor of MotionFile does.
   FullMotion(const std::filesystem::path& path, std::int64_t vertices, const FullPlan& plan);
 
-  /// Writes what does not move but for the points; of a plan with frames, and before them.
+  /// Writes cells, vertex numbers and frame times (not the points), and the .xdmf. To be called before the first frame,
+  /// if the plan has frames.
   void begin_frames(const StillBody& body, const FullPlan& plan);
-  /// The frames, one vector of 3n numbers after another.
+  /// The dataset of the frames: append one vector of 3n numbers (m, three for each vertex) for each frame.
   NumberStream& frames() { return frames_; }
-  /// The last state, before its three vectors.
+  /// Writes the last state, before its three vectors.
   void keep(const StateRecord& state);
-  /// An array to be appended to and closed.
+  /// Creates an array, n x 3, to be appended to and closed: m, m/s or m/s².
   NumberStream array(VertexArray which) const;
   void finish();
   void publish() { file_.publish(); }

@@ -12,7 +12,7 @@ std::string_view name(model::ModeKind kind);        ///< rigid, flexible
 std::string_view name(model::Certified certified);  ///< no, probabilistic, inertia-f32, inertia
 std::string_view name(StateKind kind);              ///< at_rest, moving
 
-/// The enumerator called `text`; false when there is none.
+/// Writes the enumerator called `text` to the second argument; false when there is none.
 bool parse(std::string_view text, model::Rows& rows);
 bool parse(std::string_view text, model::ModeKind& kind);
 bool parse(std::string_view text, model::Certified& certified);

@@ -1,4 +1,4 @@
-// A model file being read. Parts are read by the functions of parts.hpp, so that a program reads only what it uses.
+// Reading of a model file. Parts are read by the functions of parts.hpp, so that a program reads only what it uses.
 #pragma once
 #include <cstddef>
 #include <filesystem>
@@ -12,22 +12,22 @@
 
 namespace ritz::format {
 
-/// An open model. Opening checks that it is a complete HDF5 file, a ritz model, of a version this library reads, and
-/// that every dataset in it is kept as ritz writes them (see survey).
+/// An open model file. Opening checks that it is a complete HDF5 file, a ritz model, of a version that this library
+/// reads, and that every dataset is stored as ritz writes it (see survey).
 class ModelReader : public StoredFile {
  public:
-  /// Throws InputError: as StoredFile, and for what is not a model, or too new.
+  /// Throws InputError as StoredFile does, and for a file that is not a model or of a newer major version.
   explicit ModelReader(const std::filesystem::path& path);
-  /// The same from the file's bytes (which are copied); `name` stands for the path in messages.
+  /// The same from the bytes of a file, which are copied; `name` stands for the path in messages.
   explicit ModelReader(std::span<const std::byte> image, std::string name = "model in memory");
 
-  /// The names of the bodies in the file, in the order they were written in.
+  /// The names of the bodies in the file, in the order in which they were written.
   std::vector<std::string> bodies() const;
-  /// Throws InputError, which names the nearest body that there is, unless the file has body `name`.
+  /// Throws an InputError that names the nearest body, unless the file has a body `name`.
   void require_body(std::string_view name) const;
-  /// Throws InputError when there is none.
+  /// The name of the first body. Throws InputError when there is none.
   std::string first_body() const;
-  /// Whether body `body` has part `part`: schema::geometry, basis, modes, reduction, polynomial, inertia or loads.
+  /// Whether the body has the part `part`: schema::geometry, basis, modes, reduction, polynomial, inertia or loads.
   bool has(std::string_view part, std::string_view body = schema::default_body) const;
 
   int minor_version() const { return minor_; }

@@ -1,4 +1,4 @@
-// The one place that names every group, dataset and attribute of the model file. Shapes, units and meanings are in
+// The names of every group, dataset and attribute of the files, in one place. Their shapes, units and meanings are in
 // src/format/README.md.
 #pragma once
 #include <array>
@@ -105,7 +105,7 @@ inline constexpr auto figure_names = "figure_names";
 inline constexpr auto figure_values = "figure_values";
 inline constexpr auto notes = "notes";
 
-// The files of motions and of last states.
+// Motion files and last states.
 namespace motion {
 inline constexpr std::string_view format_name = "ritz-motion 1";
 inline constexpr auto points = "/points";
@@ -127,11 +127,12 @@ inline constexpr auto kind = "kind";
 
 /// "parent/child".
 std::string join(std::string_view parent, std::string_view child);
-/// "/bodies/BODY", with BODY as a link name.
+/// "/bodies/BODY", where BODY is link_name(body).
 std::string body_group(std::string_view body);
 /// "/bodies/BODY/PART".
 std::string body_part(std::string_view body, std::string_view part);
-/// A name as a link: '/', '%' and the zero byte become %2F, %25 and %00, a leading '.' %2E; the empty name is "%".
+/// A name as an HDF5 link: '/', '%' and the zero byte become %2F, %25 and %00, a leading '.' becomes %2E; the empty
+/// name becomes "%".
 std::string link_name(std::string_view name);
 /// The inverse of link_name.
 std::string name_of_link(std::string_view link);

@@ -1,4 +1,4 @@
-// What a model must be for its motion to be worth computing, beyond what reading its parts one by one ensures.
+// Checks that a model is consistent as a whole, beyond what reading its parts one by one checks.
 #pragma once
 #include <string_view>
 
@@ -6,27 +6,28 @@
 
 namespace ritz::format {
 
-/// max |UᵀMU − I|, read off the Gram matrix; 0 without columns.
+/// max |UᵀMU − I|, computed from the Gram matrix; 0 without columns.
 double orthonormality_error(const model::Inertia& inertia);
 
-/// max |K̃(0) − UᵀKU| / max |UᵀKU| of a body that has a polynomial and the numbers of its basis.
+/// max |K̃(0) − UᵀKU| / max |UᵀKU| (absolute if UᵀKU is zero). The body must have a polynomial, and a reduction or
+/// modes.
 double stiffness_error(const model::Body& body);
 
-/// Whether the parts that there are agree on n and r, by their shapes: no numbers are read.
-/// Throws InputError where they do not, and where there is no such body.
+/// Checks, from shapes alone, that the parts present agree on the number of vertices n and of columns r. Throws
+/// InputError when they do not, and when there is no such body.
 void check_shapes(const ModelReader& in, std::string_view body = schema::default_body);
 
-/// Throws InputError unless the body has what every body has: materials, at least one column of U, a mode (or an entry
-/// of the reduction) for each column, the inertia, and a load for each set of which vertices are stored. Reads shapes
-/// alone.
+/// Checks, from shapes alone, that the body has what every body needs: materials, at least one column of U, one mode
+/// (or entry of the reduction) for each column, the inertia, and a load for each set that has stored vertices. Throws
+/// InputError when one is missing, and as check_shapes does.
 void check_complete(const ModelReader& in, std::string_view body = schema::default_body);
 
-/// The witnesses among the parts that were read: modes counted by the inertia, the polynomial's K̃(0) = UᵀKU.
-/// Throws InputError where one fails.
+/// Checks the witnesses of the parts that were read: as many modes were found below the shift as the inertia counts,
+/// UᵀMU = I to 1e-12, and the polynomial's K̃(0) = UᵀKU to 1e-9 of its largest entry. Throws InputError when one fails.
 void check_witnesses(const ModelReader& in, const model::Body& body);
 
-/// All of the above and every checksum, of all bodies. Gives their parts but for U, of which one column at a time is in
-/// memory. Throws InputError, also where there is no body.
+/// Does all of these checks and verifies every checksum, for all bodies. Returns the bodies without U, of which only
+/// one column at a time is in memory. Throws InputError, also when there is no body.
 std::vector<model::Body> check(const ModelReader& in);
 
 }  // namespace ritz::format

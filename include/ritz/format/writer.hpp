@@ -1,4 +1,4 @@
-// A model file being written. Parts are written by the functions of parts.hpp.
+// Writing of a model file. Parts are written by the functions of parts.hpp.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -12,42 +12,43 @@
 
 namespace ritz::format {
 
-/// How the ranks of a parallel program write one file together; as it stands, one serial program.
-/// The property lists stay the caller's and must outlive the writer.
+/// How the ranks of a parallel program write one file together; by default a serial program. The property lists belong
+/// to the caller and must outlive the writer.
 struct Access {
   hid_t file = H5P_DEFAULT;      ///< file access (H5Pset_fapl_mpio)
   hid_t transfer = H5P_DEFAULT;  ///< dataset transfer (H5Pset_dxpl_mpio)
-  bool writes_small = true;      ///< true on exactly one rank: it writes what is replicated, and names the file
-  /// *Collective*: the sum of all ranks' values modulo 2^64, the same on every rank. Absent: one rank.
+  bool writes_small = true;      ///< true on exactly one rank, which writes what is replicated and renames the file
+  /// *Collective*: the sum of the values of all ranks modulo 2^64, on every rank. Absent: one rank.
   std::function<std::uint64_t(std::uint64_t)> sum;
-  /// Whether all ranks say yes. A rank that says no waits for the others for seconds only. Absent: one rank.
+  /// *Collective*: whether all ranks pass true. A rank that passes false waits only seconds for the others (Vote::alone
+  /// if they do not come). Absent: one rank.
   std::function<Vote(bool)> vote;
 };
 
-/// Writes a part file of its own beside FILE and renames it to FILE on commit: there is never half a model under the
-/// final name.
-/// Every member and every write_* function is *Collective*: all ranks call it in the same order. A failure on one rank
-/// is thrown on all.
+/// Writes a part file beside the final path and renames it on commit, so that half a model never has the final name.
+/// Every member and every write_* function is *Collective*: all ranks call it in the same order, and a failure on one
+/// rank is thrown on all.
 class ModelWriter {
  public:
-  /// Creates the part file. Throws, on all ranks alike, as files::PartFile does.
+  /// Creates the part file. Throws on all ranks as files::PartFile does.
   explicit ModelWriter(std::filesystem::path path, Access access = {});
-  /// Removes the part file unless the model was committed. *Collective*; a rank whose peers are elsewhere, because it
-  /// failed alone, waits for them for seconds only, and leaves the file open, as closing it is collective.
+  /// *Collective*. Removes the part file unless the model was committed. A rank that failed alone, while the others do
+  /// not come, waits for them only seconds; it then leaves the file open, because closing is collective.
   ~ModelWriter();
   ModelWriter(const ModelWriter&) = delete;
   ModelWriter& operator=(const ModelWriter&) = delete;
 
-  /// Flushes, closes and syncs to the disk: all that a disk can refuse. Throws std::runtime_error when a write fails.
-  /// Nothing can be written afterwards.
+  /// Flushes, closes and syncs the file: everything that can fail for lack of disk space. Nothing can be written
+  /// afterwards. Throws std::runtime_error when a write fails.
   void finish();
 
-  /// Finishes what is not finished yet, renames, and makes the link PATH with the ending .vtkhdf beside it (where the
-  /// file system can, and never in the place of a real file), through which ParaView sees the first body. Of several
-  /// bodies each gets a small file of its own, MODEL.BODY.vtkhdf. Throws std::runtime_error.
+  /// Calls finish() if that was not done, renames the file, and makes beside it the link with the ending .vtkhdf
+  /// through which ParaView shows the first body (if the file system supports links and no real file stands there).
+  /// With several bodies each also gets a small file MODEL.BODY.vtkhdf. Throws std::runtime_error.
   void commit();
 
-  /// Takes disk space for `more` bytes and HDF5's records of them; throws std::runtime_error when there is none.
+  /// Reserves disk space for `more` bytes and for HDF5's records of them. Throws std::runtime_error when there is not
+  /// enough.
   void make_room(std::uint64_t more) const;
 
   hid_t file() const { return file_.get(); }
@@ -56,15 +57,15 @@ class ModelWriter {
 
  private:
   struct Uncreated {};
-  /// Once this is done, the destructor runs whatever the public constructor throws.
+  /// After this constructor is done, the destructor runs whatever the public constructor throws.
   ModelWriter(Uncreated, std::filesystem::path path, Access access);
   void create_part();
   void reserve_on_disk(std::uint64_t bytes) const;
 
   std::filesystem::path path_;
-  std::filesystem::path part_;                ///< on all ranks; empty before it is created and after it is committed
-  std::optional<files::PartFile> part_file_;  ///< of the rank that writes what is small
-  std::vector<files::PartFile> views_;        ///< of that rank: what shows one of several bodies
+  std::filesystem::path part_;                ///< on all ranks; empty before it is created and after commit
+  std::optional<files::PartFile> part_file_;  ///< on the rank with writes_small
+  std::vector<files::PartFile> views_;        ///< on that rank: MODEL.BODY.vtkhdf of each of several bodies
   Access access_;
   File file_;
 };

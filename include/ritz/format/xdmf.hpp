@@ -9,8 +9,8 @@
 
 namespace ritz::format {
 
-/// XDMF's mixed topology: for each cell its XDMF type, then its vertices. Throws InputError for a VTK type that is
-/// none of tet4, tet10, hex8, tri3, tri6, quad4.
+/// XDMF's mixed topology: for each cell its XDMF type, then its vertices (rows of the points). Throws InputError for a
+/// VTK type other than those of tet4, tet10, hex8, tri3, tri6 and quad4.
 std::vector<std::int64_t> mixed_topology(const model::DrawnCells& cells);
 
 struct XdmfSize {
@@ -19,10 +19,10 @@ struct XdmfSize {
   std::int64_t topology;  ///< entries of mixed_topology
 };
 
-/// Where motion.h5 shows the displacements of one frame.
+/// The path in motion.h5 of the displacements of frame `frame`, 0-based.
 std::string frame_name(std::size_t frame);
 
-/// `file`: the name of motion.h5 without its folder; `times`: of the frames.
+/// The text of the .xdmf file. `file` is the name of motion.h5 without its folder, `times` are the times of the frames.
 std::string xdmf_text(const std::string& file, const XdmfSize& size, std::span<const double> times);
 
 }  // namespace ritz::format

@@ -1,5 +1,5 @@
-// The reduced model as values. Whatever a scene does not need is an absent optional.
-// Everything is in SI units. n: vertices of the mesh (that cells use); r: columns of the basis U.
+// The reduced model as plain values, in SI units throughout; a part that no scene needs is an absent optional. n is the
+// number of vertices of the mesh (those that cells use), r the number of columns of the basis U.
 #pragma once
 #include <Eigen/Core>
 #include <array>
@@ -13,21 +13,22 @@
 
 namespace ritz::model {
 
-/// A row-major 3n x r or n x 3 array: three components of a vertex stand together.
+/// Row-major arrays, 3n x r and n x 3: the three components of a vertex are adjacent.
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using Points = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
-/// Cells for drawing: the volume's cells, or (surface only) the boundary faces. VTK numbering of types and vertices.
+/// The cells to draw: those of the volume or, if only the surface is stored, its boundary faces. VTK's numbers of
+/// types, and VTK's order of vertices.
 struct DrawnCells {
   std::vector<std::uint8_t> vtk_types;
-  std::vector<std::int64_t> offsets;   ///< one more than cells, first 0
+  std::vector<std::int64_t> offsets;  ///< cell i has vertices[offsets[i] ... offsets[i + 1]); one entry more than cells
   std::vector<std::int64_t> vertices;  ///< rows of `points`
 };
 
 struct VertexSet {
   std::string name;
-  std::vector<std::int64_t> rows;  ///< rows of `points` that are stored and belong to the set, ascending
-  std::int64_t full_count;         ///< how many vertices the set has in the whole mesh
+  std::vector<std::int64_t> rows;  ///< rows of `points` that belong to the set and are stored, ascending
+  std::int64_t full_count;         ///< number of vertices of the set in the whole mesh
 };
 
 struct RegionMaterial {
@@ -35,20 +36,22 @@ struct RegionMaterial {
   fem::Material material;
 };
 
+/// Which vertices are stored: all of the mesh, or those of its surface.
 enum class Rows : std::uint8_t { all, surface };
 
-/// The stored vertices and what is needed to draw and to name them.
+/// The stored vertices, and what is needed to draw and to name them.
 struct Geometry {
   Rows rows = Rows::all;
-  std::int64_t full_vertices = 0;        ///< n of the whole mesh, also when only the surface is stored
-  Points points;                         ///< stored vertices, m, in the mesh file's own order
-  std::vector<std::int64_t> vertex_ids;  ///< the mesh file's own number of each stored vertex
+  std::int64_t full_vertices = 0;  ///< n of the whole mesh, even if only the surface is stored
+  Points points;                   ///< n_stored x 3: the stored vertices at rest, m, in the order of the mesh file
+  std::vector<std::int64_t> vertex_ids;  ///< the mesh file's number of each stored vertex
   DrawnCells cells;
   std::vector<VertexSet> sets;
   std::vector<RegionMaterial> materials;
 };
 
-/// The basis U: u = U z, mass-orthonormal over the whole mesh (UᵀMU = I), rows of stored vertices only.
+/// The basis U of displacements u = U z. It is mass-orthonormal over the whole mesh (UᵀMU = I), of which it has the
+/// rows of the stored vertices.
 struct Basis {
   RowMatrix U;  ///< 3 n_stored x r, 1/sqrt(kg)
 };
@@ -59,65 +62,72 @@ enum class Certified : std::uint8_t { no, probabilistic, inertia_f32, inertia };
 /// √λ / 2π, Hz; 0 where λ is negative, by rounding.
 double frequency(double eigenvalue);
 
-/// Where the number of modes below `shift` was counted.
+/// An independent count of the modes below `shift`.
 struct Certificate {
   Certified kind = Certified::no;
-  double shift = 0;          ///< σ, rad²/s², past the last mode kept
-  std::int64_t counted = 0;  ///< eigenvalues below σ by the inertia of K - σM
+  double shift = 0;          ///< σ, rad²/s², above the last mode kept
+  std::int64_t counted = 0;  ///< eigenvalues below σ by the inertia of K − σM
   std::int64_t found = 0;    ///< eigenvalues below σ that were computed
 };
 
-/// The modes of Kψ = λMψ (Eq. 1) in ascending order, rigid ones first. Without a Reduction, column i of U is mode i.
+/// The k modes of Kψ = λMψ (Eq. 1 of the notes) in ascending order, rigid ones first. Without a Reduction, column i of
+/// U is mode i.
 struct Modes {
-  Eigen::VectorXd eigenvalues;  ///< λ = ω², rad²/s²; 0 for a rigid mode
-  Eigen::VectorXd energies;  ///< ψᵀKψ/ψᵀMψ as computed, of rigid modes from their strains (tells how rigid they are)
+  Eigen::VectorXd eigenvalues;  ///< λ = ω², k numbers, rad²/s²; 0 for a rigid mode
+  Eigen::VectorXd energies;  ///< ψᵀKψ / ψᵀMψ as computed, rad²/s²; of rigid modes from their strains, which tells how
+                             ///< rigid they are
   Eigen::VectorXd residuals;  ///< ‖Kψ − λMψ‖ / (λ‖Mψ‖); for a rigid mode ‖Kψ‖ / (‖K‖‖ψ‖)
-  std::vector<std::uint8_t> floor_applies;  ///< 1 where the residual passed by 10 ε‖K‖‖ψ‖ alone
+  std::vector<std::uint8_t> floor_applies;  ///< 1 where the residual passed only because ‖Kψ − λMψ‖ ≤ 10 ε‖K‖‖ψ‖
   std::vector<ModeKind> kinds;
   double orthonormality = 0;  ///< max |ΨᵀMΨ − I|
   Certificate certificate;
 };
 
-/// G = Bᵀ M_s B, size 4 + 3r, with M_s the scalar consistent mass (kg) and B = [1, X, Y, Z, U_x, U_y, U_z]:
-/// X, Y, Z are coordinates minus `origin`, U_x the x-rows of U (n x r), zero at fixed components.
+/// The Gram matrix G = Bᵀ M_s B of size 4 + 3r, where M_s is the scalar consistent mass (kg) and
+/// B = [1, X, Y, Z, U_x, U_y, U_z]: X, Y, Z are the coordinates minus `origin`, and U_x (n x r) has the rows of U for
+/// the x components, zero where they are fixed.
 struct Inertia {
-  Eigen::Vector3d origin;
-  Eigen::MatrixXd gram;
+  Eigen::Vector3d origin;  ///< m
+  Eigen::MatrixXd gram;    ///< G, (4 + 3r) x (4 + 3r)
 
-  double mass() const;                     ///< kg
+  double mass() const;                     ///< of the body, kg
   Eigen::Vector3d centre_of_mass() const;  ///< m
-  Eigen::Matrix3d tensor() const;          ///< about the centre of mass, kg m²
-  /// UᵀMR, r x 6: R's columns are unit translations along x, y, z and unit rotations about axes x, y, z through
-  /// the centre of mass.
+  Eigen::Matrix3d tensor() const;          ///< the tensor of inertia about the centre of mass, kg m²
+  /// UᵀMR, r x 6, √kg and √kg m: the columns of R are unit translations along x, y, z and unit rotations about axes
+  /// along x, y, z through the centre of mass.
   Eigen::MatrixXd rigid_coupling() const;
-  /// UᵀMR to be printed: zero where it is below 1e-9 of what a column of U could have, √mass or √tr(tensor). As U is
-  /// mass-orthonormal, these are its participation factors, √kg and √kg m.
+  /// The participation factors UᵀMR, as rigid_coupling returns them, for printing: an entry below 1e-9 of the largest
+  /// that a column of U could have, √mass or √tr(tensor), is set to zero.
   Eigen::MatrixXd participation_factors() const;
-  /// (ψᵀMR_d)² for the three translations, r x 3, kg: sums to at most the mass over all modes.
+  /// (ψᵀMR_d)² for the three translations R_d, r x 3, kg. Summed over any number of modes it is at most the mass of the
+  /// body.
   Eigen::MatrixXd effective_masses() const;
 };
 
-/// Unit loads on a named set, projected: Uᵀb.
+/// Unit loads b on a named set, projected onto the basis: Uᵀb.
 struct SetLoad {
   std::string set;
-  std::int64_t vertices = 0;  ///< that share a total force
-  Eigen::MatrixXd total;      ///< r x 3: a unit total force along x, y, z shared equally by the set's vertices
-  bool has_surface = false;   ///< whether the three below mean anything
-  double area = 0;            ///< m²
-  Eigen::VectorXd pressure;   ///< r: a unit pressure pushing into the body
-  Eigen::MatrixXd traction;   ///< r x 3: a unit traction along x, y, z
+  std::int64_t vertices = 0;  ///< number of vertices that share a total force
+  Eigen::MatrixXd total;      ///< r x 3, 1/√kg: total forces of 1 N along x, y, z, shared equally by the vertices
+  bool has_surface = false;   ///< whether the three members below are set
+  double area = 0;            ///< of the surface, m²
+  Eigen::VectorXd pressure;   ///< r, m²/√kg: a pressure of 1 Pa, which pushes into the body
+  Eigen::MatrixXd traction;   ///< r x 3, m²/√kg: tractions of 1 Pa along x, y, z
 };
 
-/// Where the basis of a model with modal derivatives or snapshots comes from (Eqs. 12, 18). Absent: U is the modes.
+/// How the basis of a model with modal derivatives or snapshots was made (Eqs. 12, 18 of the notes). Absent: the
+/// columns of U are the modes.
 struct Reduction {
-  Eigen::VectorXd stiffness;        ///< diagonal of UᵀKU, which has no other entries; ascending, rad²/s²
-  Eigen::VectorXd singular_values;  ///< σ of the set that U was cut from, in the M-norm, descending; the first r kept
-  double discarded = 0;  ///< √(Σσ² of all that U leaves out), a bound for what was never computed included; as σ
+  Eigen::VectorXd stiffness;        ///< the diagonal of UᵀKU, whose other entries are zero, r, ascending, rad²/s²
+  Eigen::VectorXd singular_values;  ///< σ (M-norm) of the vectors that U was made from, descending; U keeps the first r
+  double discarded = 0;  ///< √(Σσ²) over all that U leaves out, with a bound for what was not computed; units of σ
 };
 
-/// The energy of St. Venant-Kirchhoff material over U (Sec. 3.1), exact for the elements' quadrature rules:
-/// Ẽ(z) = ½ A_ij z_i z_j + ⅙ B_ijk z_i z_j z_k + 1/24 C_ijkl z_i z_j z_k z_l, with A, B, C fully symmetric (the second,
-/// third and fourth derivatives of Ẽ at rest). Each is stored once: i ≤ j ≤ k ≤ l in lexicographic order.
+/// The energy of St. Venant-Kirchhoff material over U (Sec. 3.1 of the notes), exact for the quadrature rules of the
+/// elements:
+///   Ẽ(z) = ½ A_ij z_i z_j + ⅙ B_ijk z_i z_j z_k + 1/24 C_ijkl z_i z_j z_k z_l.
+/// A, B, C are the second, third and fourth derivatives of Ẽ at rest, fully symmetric. Each entry is stored once, for
+/// i ≤ j ≤ k ≤ l in lexicographic order.
 struct Polynomial {
   Eigen::Index r = 0;
   Eigen::VectorXd quadratic;  ///< A, r(r+1)/2 numbers, 1/s²
@@ -125,25 +135,26 @@ struct Polynomial {
   Eigen::VectorXd quartic;    ///< C, C(r+3, 4) numbers, 1/(s² m² kg)
 };
 
-/// What a body was made from, as hashes in hexadecimal.
+/// Hashes, in hexadecimal, of what a body was made from.
 struct Checksums {
-  std::string mesh;     ///< of vertices, cells and regions
-  std::string problem;  ///< of these, the materials and the supports: modes depend on nothing else
+  std::string mesh;     ///< of the vertices, cells and regions
+  std::string problem;  ///< of these and the materials and supports: everything that the modes depend on
 };
 
+/// The time that a stage of the reduction took, s.
 struct StageTime {
   std::string stage;
   double seconds;
 };
 
-/// Diagnostics of a body's reduction; nothing that a motion depends on.
+/// Diagnostics of a body's reduction. No motion depends on them.
 struct Report {
   std::vector<StageTime> seconds;
-  std::vector<std::pair<std::string, double>> figures;  ///< iterations, peak memory, counts
-  std::vector<std::string> notes;                       ///< warnings that were printed
+  std::vector<std::pair<std::string, double>> figures;  ///< iterations, peak memory, counts, by name
+  std::vector<std::string> notes;                       ///< the warnings that were printed
 };
 
-/// A reduced body: all that its motion is computed from, and what is known of how it was made.
+/// A reduced body: everything that its motion is computed from, and how it was made.
 struct Body {
   std::string name = "body";
   Checksums checksums;
@@ -157,15 +168,15 @@ struct Body {
   Report report;
 };
 
-/// What the run that wrote a model depended on.
+/// The run that wrote a model: its program, the versions of libraries, and its options.
 struct Provenance {
   std::string program;                                        ///< "ritz-reduce 0.1.0"
   std::vector<std::pair<std::string, std::string>> versions;  ///< PETSc, SLEPc, MPI, BLAS
-  std::vector<std::pair<std::string, std::string>> options;   ///< every resolved option
-  int ranks = 1;
+  std::vector<std::pair<std::string, std::string>> options;   ///< name and value of every option, defaults included
+  int ranks = 1;                                              ///< number of MPI ranks
 };
 
-/// What one file holds: one body or several, whose names differ.
+/// The contents of one file: one body or several, with distinct names.
 struct Model {
   Provenance provenance;
   std::vector<Body> bodies;

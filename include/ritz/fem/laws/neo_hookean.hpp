@@ -1,4 +1,5 @@
-// Compressible neo-Hookean: W = μ/2 (tr FᵀF − 3) − μ ln J + λ/2 ln²J with J = det F [Bonet and Wood 2008, Sec. 6.4.3].
+// The compressible neo-Hookean law: W = μ/2 (tr FᵀF − 3) − μ ln J + λ/2 ln²J with J = det F [Bonet and Wood 2008, Sec.
+// 6.4.3].
 #pragma once
 #include <Eigen/LU>
 #include <array>
@@ -9,7 +10,8 @@
 
 namespace ritz::fem {
 
-/// Valid for young > 0 and -1 < poisson < 1/2. Its energy grows without bound as a cell is squeezed to nothing.
+/// Valid for young > 0 and -1 < poisson < 1/2. The energy grows without bound as a cell is compressed to zero volume;
+/// states with det F ≤ 0 are not admitted.
 struct NeoHookean {
   double young;    ///< Young's modulus at rest, Pa
   double poisson;  ///< Poisson's ratio at rest
@@ -21,11 +23,11 @@ struct NeoHookean {
 
   double lambda() const { return lame_lambda(young, poisson); }
   double mu() const { return shear_modulus(young, poisson); }
-  /// With ln J = tr(E − E² + 4/3 E³ − …).
+  /// From ln J = tr(E − E² + 4/3 E³ − …).
   ElasticConstants at_rest() const { return {lambda(), mu(), -4 * mu(), -lambda(), 0}; }
 
-  /// P = μ (F − F⁻ᵀ) + λ ln J F⁻ᵀ = (μ (FFᵀ − I) + λ ln J I) F⁻ᵀ. Written in G, so that small strains keep their
-  /// digits: W = μ (½ G : G − (J − 1 − tr G) + (J − 1 − ln J)) + λ/2 ln²J.
+  /// P = μ (F − F⁻ᵀ) + λ ln J F⁻ᵀ = (μ (FFᵀ − I) + λ ln J I) F⁻ᵀ. It is computed from G so that small strains keep
+  /// their digits: W = μ (½ G : G − (J − 1 − tr G) + (J − 1 − ln J)) + λ/2 ln²J.
   Response response(const Matrix<3, 3>& G) const {
     const double beyond = nonlinear_volume_change(G), change = G.trace() + beyond;
     if (!(change > -1)) return unknown();
@@ -37,7 +39,7 @@ struct NeoHookean {
     return {energy, stretch * F.inverse().transpose()};
   }
 
-  /// μ δ_ik δ_jl + λ B_ij B_kl + (μ − λ ln J) B_il B_kj with B = F⁻ᵀ.
+  /// ∂P_ij/∂F_kl = μ δ_ik δ_jl + λ B_ij B_kl + (μ − λ ln J) B_il B_kj with B = F⁻ᵀ.
   Moduli moduli(const Matrix<3, 3>& G) const {
     const double change = G.trace() + nonlinear_volume_change(G);
     if (!(change > -1)) return Moduli::Constant(std::numeric_limits<double>::quiet_NaN());

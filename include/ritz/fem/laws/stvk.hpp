@@ -1,5 +1,5 @@
-// St. Venant-Kirchhoff: S = λ tr(E) I + 2μ E, Hooke's law between the second Piola-Kirchhoff stress and the
-// Green-Lagrange strain.
+// The St. Venant-Kirchhoff law: S = λ tr(E) I + 2μ E, which is Hooke's law between the second Piola-Kirchhoff stress
+// and the Green-Lagrange strain.
 #pragma once
 #include <array>
 
@@ -7,8 +7,8 @@
 
 namespace ritz::fem {
 
-/// Valid for young > 0 and -1 < poisson < 1/2. Its force is a cubic polynomial in the displacement, so that a reduced
-/// model of it can be exact. It softens under compression, and does not resist being turned inside out.
+/// Valid for young > 0 and -1 < poisson < 1/2. The force is a cubic polynomial in the displacement, so that a reduced
+/// model can be exact. The material softens under compression, and does not resist being turned inside out.
 struct StVK {
   double young;    ///< Young's modulus, Pa
   double poisson;  ///< Poisson's ratio
@@ -23,12 +23,12 @@ struct StVK {
   double mu() const { return shear_modulus(young, poisson); }
   ElasticConstants at_rest() const { return {lambda(), mu()}; }
 
-  /// E = ½(G + Gᵀ + GᵀG), Green-Lagrange: from G and not from FᵀF − I, which loses small strains.
+  /// The Green-Lagrange strain E = ½(G + Gᵀ + GᵀG): computed from G, as FᵀF − I would lose the digits of small strains.
   static Matrix<3, 3> strain(const Matrix<3, 3>& G) {
     const Matrix<3, 3> product = G.transpose().lazyProduct(G);
     return (G + G.transpose() + product) / 2;
   }
-  /// S, Pa.
+  /// The second Piola-Kirchhoff stress S, Pa, of a strain E.
   Matrix<3, 3> second_piola(const Matrix<3, 3>& strain) const {
     Matrix<3, 3> S = 2 * mu() * strain;
     S.diagonal().array() += lambda() * strain.trace();
@@ -41,7 +41,7 @@ struct StVK {
     return {S.cwiseProduct(E).sum() / 2, S + G * S};
   }
 
-  /// δ_ik S_lj + λ F_ij F_kl + μ F_il F_kj + μ (FFᵀ)_ik δ_jl.
+  /// ∂P_ij/∂F_kl = δ_ik S_lj + λ F_ij F_kl + μ F_il F_kj + μ (FFᵀ)_ik δ_jl.
   Moduli moduli(const Matrix<3, 3>& G) const {
     const Matrix<3, 3> F = Matrix<3, 3>::Identity() + G, S = second_piola(strain(G)), FFt = mu() * F * F.transpose();
     Moduli A = moduli_of_products(F, lambda(), mu());
