@@ -1,4 +1,4 @@
-// Arrays that begin on a cache line, so that wide loads never straddle two.
+// Arrays that begin on a cache line, so that no wide load straddles two lines.
 #pragma once
 #include <cstddef>
 #include <new>
@@ -8,6 +8,7 @@ namespace ritz {
 
 inline constexpr std::size_t cache_line = 64;  ///< bytes
 
+/// An allocator whose memory begins on a cache line.
 template <class T>
 struct LineAllocator {
   using value_type = T;
@@ -21,7 +22,7 @@ struct LineAllocator {
   bool operator==(const LineAllocator&) const { return true; }
 };
 
-/// A std::vector whose first number stands at the start of a cache line.
+/// A std::vector whose first element is at the start of a cache line.
 template <class T>
 using AlignedVector = std::vector<T, LineAllocator<T>>;
 

@@ -1,4 +1,4 @@
-// Numbers of things, as people write them.
+// Counts with the right form of the noun.
 #pragma once
 #include <cstdint>
 #include <string>

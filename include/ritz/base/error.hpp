@@ -1,4 +1,4 @@
-// The two ways a run of ritz can end badly, and what a program answers to each.
+// The two kinds of error, and the exit code of a program for each.
 #pragma once
 #include <cstdint>
 #include <stdexcept>
@@ -6,44 +6,44 @@
 
 namespace ritz {
 
-/// What stood in a method's way. A method knows no options and no files: it says what happened and why, and the program
-/// adds which option or key of a scene its user can change (config/advice.hpp does for ritz-reduce and ritz-full).
+/// What made a method fail. A method knows neither options nor files: it says what happened and why, and the program
+/// adds which option or scene key the user can change (for ritz-reduce and ritz-full in config/advice.hpp).
 enum class Reason : std::uint8_t {
-  stated,                         ///< the message says all there is to say
-  mode_absent,                    ///< a mode was chosen that is not among those computed
-  too_few_modes_for_derivatives,  ///< derivatives of more modes are asked for than enter the basis
-  nothing_spanned,                ///< the vectors that a basis is cut from are all zero
-  too_few_directions,             ///< a basis of more columns is asked for than there are independent directions
-  directions_lost,                ///< columns of a basis are dependent to rounding
-  accuracy_out_of_reach,          ///< no basis of the modes given is as accurate as asked
-  untestable_derivatives,         ///< rounding hides what modal derivatives are tested by
-  beyond_double_precision,        ///< stiffness or mass are too large or too small to compute with
+  stated,                         ///< the message is complete
+  mode_absent,                    ///< a chosen mode is not among those computed
+  too_few_modes_for_derivatives,  ///< derivatives are requested for more modes than enter the basis
+  nothing_spanned,                ///< the vectors from which a basis is made are all zero
+  too_few_directions,             ///< a basis of more columns is requested than there are independent vectors
+  directions_lost,                ///< columns of a basis are linearly dependent up to rounding errors
+  accuracy_out_of_reach,          ///< no basis of the given modes is as accurate as requested
+  untestable_derivatives,         ///< rounding errors hide the remainder by which modal derivatives are tested
+  beyond_double_precision,        ///< stiffness or mass are too large or too small for double precision
   modes_not_finite,               ///< the eigensolver returned numbers that are not finite
-  modes_not_found,                ///< the direct eigensolver stopped before it had all modes
-  tolerance_too_loose,            ///< modes meet the tolerance asked for, and not the gate on their residuals
-  foreign_solver_inaccurate,      ///< modes of SLEPc's solver miss that gate
-  foreign_solver_stopped,         ///< SLEPc's solver stopped before it had all modes
-  iterative_solver_failed,        ///< an iterative solver does not converge, or not far enough
+  modes_not_found,                ///< the direct eigensolver stopped before it had found all modes
+  tolerance_too_loose,            ///< modes meet the requested tolerance, but not the bound on their residuals
+  foreign_solver_inaccurate,      ///< modes of SLEPc's solver do not meet that bound
+  foreign_solver_stopped,         ///< SLEPc's solver stopped before it had found all modes
+  iterative_solver_failed,        ///< an iterative solver did not converge, or not far enough
   memory_for_factors,             ///< the factors of a direct solver do not fit into memory
-  workspace_for_factors,          ///< a direct solver needs more spare room than it was given
-  rigid_motions,                  ///< statics of a body that its supports let move
-  load_steps_too_large,           ///< statics do not converge, and nothing tells of a limit point
+  workspace_for_factors,          ///< a direct solver needs more workspace than it was given
+  rigid_motions,                  ///< statics of a body whose supports leave rigid motions free
+  load_steps_too_large,           ///< statics did not converge, and there is no sign of a limit point
 };
 
-/// A message of one sentence that says what is wrong, where, and what to do, the last as far as the method knows it.
+/// The message is one sentence that says what is wrong, where, and what to do (the last as far as the method knows it).
 struct Error : std::runtime_error {
   explicit Error(const std::string& message, Reason why = Reason::stated) : std::runtime_error(message), reason(why) {}
 
   Reason reason;
 };
 
-/// The input is wrong: a file, an option, a set. Exit code 2.
+/// The input is wrong, such as a file, an option or the name of a set. Exit code 2.
 struct InputError : Error {
   using Error::Error;
 };
 
-/// The numerics failed: a factorization, an iteration, memory. The message names the solve and its residual.
-/// Exit code 1.
+/// The computation failed, such as a factorization, an iteration or an allocation. The message names the solve and its
+/// residual. Exit code 1.
 struct NumericalError : Error {
   using Error::Error;
 };

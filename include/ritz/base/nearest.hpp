@@ -1,4 +1,4 @@
-// The name a user probably meant.
+// Finds the name that a user probably meant.
 #pragma once
 #include <algorithm>
 #include <cctype>
@@ -10,8 +10,8 @@
 
 namespace ritz {
 
-/// The number of single-character insertions, deletions, substitutions and swaps of neighbours that turn `a` into `b`
-/// (optimal string alignment); upper and lower case are the same.
+/// The number of insertions, deletions and substitutions of one character, and of swaps of neighbours, that turn `a`
+/// into `b` (optimal string alignment). Upper and lower case are equal.
 inline std::size_t edit_distance(std::string_view a, std::string_view b) {
   const auto same = [](char x, char y) {
     return std::tolower(static_cast<unsigned char>(x)) == std::tolower(static_cast<unsigned char>(y));
@@ -32,8 +32,8 @@ inline std::size_t edit_distance(std::string_view a, std::string_view b) {
   return now[b.size()];
 }
 
-/// The candidate with the smallest edit distance to `word`, the first of equals; empty when there is no candidate.
-/// `candidates`: any range of things that convert to std::string_view.
+/// The candidate with the smallest edit distance to `word`, the first of several; empty when there is none.
+/// `candidates` is any range whose elements convert to std::string_view.
 template <class Range>
 std::string nearest(std::string_view word, const Range& candidates) {
   std::string best;

@@ -1,4 +1,4 @@
-// Names that a file holds, as a terminal may be given them.
+// Makes names from files safe to print on a terminal.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -8,7 +8,8 @@
 
 namespace ritz {
 
-/// How many bytes of `text` its first character takes in UTF-8 (shortest form, no surrogates); 0 where it is none.
+/// The length in bytes of the first UTF-8 character of `text`, which is not empty; 0 if it is not valid (overlong forms
+/// and surrogates are not).
 inline std::size_t utf8_length(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned first = byte(0);
@@ -28,8 +29,8 @@ inline std::size_t utf8_length(std::string_view text) {
   return overlong || beyond ? 0 : length;
 }
 
-/// The text on one line and without effect on a terminal: control characters (C0, delete, C1) and bytes that are no
-/// UTF-8 are written \xNN; all other characters stay as they are.
+/// The text on one line and without effect on a terminal: control characters (C0, delete, C1) and bytes that are not
+/// UTF-8 are written as \xNN; all other characters are unchanged.
 inline std::string printable(std::string_view text) {
   std::string shown;
   while (!text.empty()) {

@@ -1,4 +1,4 @@
-// Fixed random numbers: the same on every machine, standard library and number of ranks.
+// Reproducible random numbers: the same on every machine, with every standard library and number of ranks.
 #pragma once
 #include <cstdint>
 
@@ -12,7 +12,7 @@ constexpr std::uint64_t split_mix(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-/// A number in [-1, 1) that belongs to `index` of stream `stream`.
+/// The random number in [-1, 1) with number `index` in the sequence `stream`.
 constexpr double uniform(std::uint64_t stream, std::uint64_t index) {
   const auto bits = split_mix(split_mix(stream) ^ index) >> 11;
   return static_cast<double>(bits) * 0x1p-52 - 1.0;

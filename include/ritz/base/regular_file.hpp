@@ -1,4 +1,4 @@
-// What may be read as an input.
+// Refuses inputs that are not regular files.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace ritz {
 
-/// Throws InputError, "`given` is not a regular file ...", for pipes, devices, sockets and folders: to read them could
-/// wait or go on for ever. A file that is not there is left to who opens it.
+/// Throws InputError, "`given` is not a regular file ...", for pipes, devices, sockets and folders, of which reading
+/// could block or never end. Does nothing for a file that does not exist: opening it reports that.
 inline void refuse_irregular(const std::filesystem::path& path, const std::string& given) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);

@@ -1,4 +1,4 @@
-// What a name means where a mesh file gives one name to sets of several kinds.
+// Resolves the name of a set where a mesh file gives the same name to sets of several kinds.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -11,14 +11,14 @@
 
 namespace ritz {
 
-/// What a set is asked for.
+/// What a set is used for.
 enum class SetUse {
-  vertices,  ///< supports, forces shared by vertices, probes: as Abaqus's *BOUNDARY, *CLOAD and *NODE PRINT
+  vertices,  ///< supports, forces shared by vertices, probes; as Abaqus's *BOUNDARY, *CLOAD and *NODE PRINT
   surface    ///< pressure and traction: as *DSLOAD
 };
 
-/// The kinds by which sets of one name are told apart: "KIND:NAME". Abaqus has nset, elset and surface; Gmsh's physical
-/// groups and cells of VTK have the others by their dimension, VTK's point arrays are points.
+/// The kinds that distinguish sets of the same name: "KIND:NAME". Abaqus has nset, elset and surface; point, curve,
+/// surface and volume are the dimensions of Gmsh's physical groups and VTK's cells; points are VTK's point arrays.
 inline constexpr std::array<std::string_view, 7> set_kinds = {"nset",  "points",  "elset", "point",
                                                               "curve", "surface", "volume"};
 
@@ -35,8 +35,8 @@ inline std::string listed_names(const std::vector<std::string>& names) {
   return text;
 }
 
-/// The sets that `asked` may mean: the one of exactly this name, else those of this name and some kind that fit the use
-/// best. Empty where there is none.
+/// The sets that `asked` may mean: the set of exactly this name; or else, of the sets "KIND:asked", those whose kind
+/// fits the use best. Empty when there is none.
 inline std::vector<std::string> meant_sets(const std::vector<std::string>& names, const std::string& asked,
                                            SetUse use) {
   const auto has = [&](const std::string& name) { return std::find(names.begin(), names.end(), name) != names.end(); };
@@ -49,12 +49,12 @@ inline std::vector<std::string> meant_sets(const std::vector<std::string>& names
     if (first) return {name};
     meant.push_back(name);
   }
-  // A whole body is not what a support or a load is put on, where a part of its boundary has the same name.
+  // A support or a load is not put on the whole body when a part of its boundary has the same name.
   if (meant.size() > 1 && meant.back() == of_kind("volume", asked)) meant.pop_back();
   return meant;
 }
 
-/// All names, and those that say a kind without it too: what a misspelt name is compared with.
+/// All names, and the names of "KIND:NAME" without their kind: with these a misspelt name is compared.
 inline std::vector<std::string> with_plain_names(std::vector<std::string> names) {
   for (std::size_t i = 0, n = names.size(); i < n; ++i)
     for (const auto kind : set_kinds)
@@ -62,12 +62,12 @@ inline std::vector<std::string> with_plain_names(std::vector<std::string> names)
   return names;
 }
 
-/// How a name is written where it was asked for.
+/// How a name is written in the place where the user gave it.
 using Written = std::string (*)(const std::string& name);
 inline std::string as_it_is(const std::string& name) { return name; }
 
-/// The name of the set that `asked` means for this use. Throws InputError, which begins with `where` (such as "option
-/// -fix FIX: the mesh"), when there is none, naming the nearest, or when several are left, listing them.
+/// The name of the set that `asked` means for this use. Throws an InputError that begins with `where` (such as "option
+/// -fix FIX: the mesh"): it names the nearest set when there is none, and lists the sets when several remain.
 inline std::string resolve_set(const std::vector<std::string>& names, const std::string& asked, SetUse use,
                                const std::string& where, Written written = as_it_is) {
   auto meant = meant_sets(names, asked, use);

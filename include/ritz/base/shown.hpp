@@ -1,4 +1,4 @@
-// Numbers as a message shows them.
+// Formats numbers for messages.
 #pragma once
 #include <cstdarg>
 #include <cstdio>
@@ -6,7 +6,7 @@
 
 namespace ritz {
 
-/// What printf would print.
+/// The text that printf would print.
 [[gnu::format(printf, 1, 2)]] inline std::string formatted(const char* format, ...) {
   va_list values, again;
   va_start(values, format);
@@ -18,7 +18,7 @@ namespace ritz {
   return text;
 }
 
-/// `digits` significant ones, with an exponent where that is shorter: 0.1, 1.6e-06.
+/// The number with `digits` significant digits, and with an exponent where that is shorter: 0.1, 1.6e-06.
 inline std::string shown(double x, int digits = 6) { return formatted("%.*g", digits, x); }
 
 }  // namespace ritz

@@ -1,4 +1,4 @@
-// The names that a run will write, refused or taken before the work begins.
+// Reserves the output names of a run, or refuses them, before the work begins.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -10,44 +10,45 @@ namespace ritz::files {
 
 /// A file that a run reads or writes.
 struct Named {
-  std::string said;  ///< what a message calls it: "option -output m.h5"
+  std::string said;  ///< what messages call it: "option -output m.h5"
   std::filesystem::path path;
 };
 
-/// What a run reads and writes besides.
+/// The files that a run reads and writes.
 struct Plan {
-  std::vector<Named> outputs;           ///< the first is what the run is for; none where there are reports alone
-  std::vector<Named> links = {};        ///< made beside them where nothing stands in their place
-  std::vector<Named> inputs = {};       ///< none of them may be written over
-  std::vector<Named> replaceable = {};  ///< the same, but the first output may take their place (-restart)
-  std::vector<Named> reports = {};      ///< outputs that others (PETSc) write as the run goes: not for `verify`
+  std::vector<Named> outputs;           ///< the first is the main one; none if the run writes reports alone
+  std::vector<Named> links = {};        ///< links that are made beside the outputs if nothing stands in their place
+  std::vector<Named> inputs = {};       ///< none of them may be overwritten
+  std::vector<Named> replaceable = {};  ///< inputs that the first output alone may replace (-restart)
+  std::vector<Named> reports = {};      ///< outputs that libraries (PETSc) write during the run; `verify` ignores them
 };
 
-/// Holds the names of a run's outputs until it ends. Of two runs of one machine that would write one name, the second
-/// is refused at its start; where runs do not see each other (other machines, containers), whoever publishes second is
-/// refused by `verify`. Nothing is written to hold a name, so nothing stays behind whatever ends the run.
+/// Reserves the names of a run's outputs until it ends. Of two runs on one machine that would write the same name, the
+/// second is refused at its start. Where runs do not see each other (other machines, containers), `verify` refuses the
+/// one that publishes second. Nothing is written to reserve a name, so nothing is left behind however the run ends.
 class Claim {
  public:
-  /// Throws InputError when an output has no folder or one that cannot be written to; is a folder, a device, a named
-  /// pipe, a socket or a symbolic link; or is, by its name or as the same file, another output or an input; or is being
-  /// written by another run. An interruption from now on says that the first output is what it was.
+  /// Throws InputError when an output has no folder, or a folder that cannot be written to; when it is a folder, a
+  /// device, a named pipe, a socket or a symbolic link; when it is, by its name or as the same file, another output or
+  /// an input; and when another run is writing it. If the program is interrupted from now on, it says that the first
+  /// output was not written or is what it was.
   explicit Claim(Plan plan);
   ~Claim();
   Claim(Claim&& other) noexcept;
   Claim& operator=(Claim&&) = delete;
 
-  /// For inputs that only reading another shows (files that a mesh includes): as at the start.
+  /// The same check for inputs that become known later, such as files that a mesh includes.
   void refuse(const std::vector<Named>& inputs) const;
 
-  /// Throws InputError when something else has come to stand at an output's name since. To be called when all is
-  /// written, before the first file gets its name.
+  /// Throws InputError when an output's name has been taken or its file replaced since the start. Call this when
+  /// everything is written, before the first file is renamed.
   void verify() const;
 
-  /// An interruption from now on says that the first output is whole.
+  /// If the program is interrupted from now on, it says that the first output is complete.
   void say_published() const;
 
  private:
-  /// Which file stood there, and which version of it.
+  /// The identity of a file and of its version.
   struct Version {
     std::uint64_t device, file;
     std::int64_t seconds, nanoseconds, bytes;
@@ -58,8 +59,8 @@ class Claim {
   std::vector<Named> written() const;  ///< outputs and reports
 
   Plan plan_;
-  std::vector<std::optional<Version>> before_;
-  std::vector<int> held_;  ///< sockets
+  std::vector<std::optional<Version>> before_;  ///< what stood at each output's name at the start
+  std::vector<int> held_;                       ///< one socket for each reserved name
 };
 
 }  // namespace ritz::files

@@ -1,9 +1,9 @@
-// What a program does when it is asked to end (SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, or SIGPIPE, when nobody reads
-// its output): half-written files are removed, one sentence says what was kept, and it dies of the signal, as shells
-// expect.
+// What a program does when a signal asks it to end (SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, or SIGPIPE when nobody
+// reads its output): it removes half-written files, says in one sentence what was kept, and ends by that signal, as
+// shells expect.
 //
-// Only here does the project keep global state: a signal's handler sees nothing else. It calls what POSIX allows there
-// (unlink, write, raise), and reads lists of fixed size.
+// This is the only global state of the project, because a signal handler has no other way to find its data. The handler
+// calls only what POSIX allows there (unlink, write, raise), and reads lists of fixed size.
 #pragma once
 #include <cstddef>
 #include <filesystem>
@@ -12,19 +12,21 @@
 
 namespace ritz::files {
 
-/// From now on interruptions are answered so; a signal that is ignored stays ignored (nohup). SIGXFSZ is ignored: a
-/// file that may not grow is a write that fails, as on a full disk. `program` begins the sentence.
+/// Installs the handler. A signal that is ignored stays ignored (nohup). SIGXFSZ is ignored, so that exceeding a limit
+/// on file size is a failed write, as on a full disk. `program` begins the sentence.
 void watch_interruptions(const std::string& program);
 
-/// What the sentence says: "NAME is what it was". Without it, nothing is said: on all ranks but one.
+/// Sets what the sentence says: "NAME is what it was". Unless this is called, nothing is printed; on several ranks only
+/// one calls it.
 void say_when_interrupted(const std::string& kept);
 
-/// Adds to what an interruption removes. Nothing where the list (of 32) or the name (of 4096 bytes) is too long.
+/// Adds a file to those that an interruption removes, and returns its index in the list. Nothing is added or returned
+/// when the list (32 files) is full or the name (up to 4095 bytes) is too long.
 std::optional<std::size_t> doom(const std::filesystem::path& file);
-/// Takes entry `index` off the list again.
+/// Takes entry `index` off the list.
 void spare(std::size_t index);
 
-/// While one lives, an interruption waits: for files that get their names one after another.
+/// Delays interruptions while an object of this class exists: used while several files are renamed.
 class Uninterrupted {
  public:
   Uninterrupted();

@@ -1,4 +1,4 @@
-// Values that are written as JSON (RFC 8259): the summaries of all programs.
+// JSON values (RFC 8259), of which all summaries are written.
 #pragma once
 #include <concepts>
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace ritz::files {
 
-/// One value of JSON. Members of an object keep the order in which they are listed.
+/// One JSON value. Members of an object keep their order.
 class Json {
  public:
   using Array = std::vector<Json>;
@@ -31,7 +31,7 @@ class Json {
   Json(std::string text) : value_(std::move(text)) {}
   Json(Array values) : value_(std::move(values)) {}
   Json(Object members) : value_(std::move(members)) {}
-  /// null where there is none.
+  /// null for an empty optional.
   template <class T>
   Json(const std::optional<T>& maybe) {
     if (maybe) *this = Json(*maybe);
@@ -43,7 +43,7 @@ class Json {
   Value value_ = nullptr;
 };
 
-/// The elements of a range (a vector, a column of Eigen), each as a value.
+/// An array of the elements of a range (such as a std::vector or a column of Eigen).
 template <class Range>
 Json::Array json_list(const Range& range) {
   Json::Array values;
@@ -51,8 +51,8 @@ Json::Array json_list(const Range& range) {
   return values;
 }
 
-/// The text of a value: indented, with a list of numbers or words on one line. A number is the shortest text that reads
-/// back as the same double; null where it is not finite. Control characters are escaped, and a byte that is no UTF-8
+/// The text of a value, indented, with a list of numbers or words on one line. A number is the shortest text that is
+/// read back as the same double; null if it is not finite. Control characters are escaped, and a byte that is not UTF-8
 /// becomes U+FFFD.
 std::string json_text(const Json& value);
 

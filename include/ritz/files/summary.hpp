@@ -1,4 +1,4 @@
-// What the summaries of all programs begin with: docs/summary.md.
+// The members with which all summaries begin; see docs/summary.md.
 #pragma once
 #include <string>
 #include <vector>
@@ -11,16 +11,16 @@ struct SummaryHead {
   std::string program;  ///< "ritz-run"
   int ranks = 1;
   std::string output;
-  Json::Array stages;       ///< {"stage", "seconds"} of each
-  double largest_rank = 0;  ///< the most memory that a process held, bytes
-  double all_ranks = 0;     ///< the sum over the processes, bytes
+  Json::Array stages;       ///< one object {"stage", "seconds"} for each stage
+  double largest_rank = 0;  ///< the largest peak memory of a process, bytes
+  double all_ranks = 0;     ///< the sum of the peak memories of all processes, bytes
   std::vector<std::string> warnings;
 };
 
-/// Its members in their order, to which a program appends its own.
+/// The members of a summary's head in order; a program appends its own.
 Json::Object summary_head(const SummaryHead& head);
 
-/// The most memory that this process has held so far, bytes.
+/// The peak memory of this process so far, bytes.
 double peak_memory();
 
 }  // namespace ritz::files
