@@ -1,4 +1,4 @@
-// Degrees of freedom: three displacements a vertex, less those that a support fixes.
+// Degrees of freedom: the three displacement components of each vertex, without those that supports fix.
 #pragma once
 #include <array>
 #include <optional>
@@ -12,27 +12,27 @@
 
 namespace ritz::mesh {
 
-inline constexpr int components = 3;  ///< of the displacement of a vertex of a solid
+inline constexpr int components = 3;  ///< displacement components of a vertex
 
-/// What is fixed where: a named set or a coordinate box, and which components.
+/// A support: a named set or a coordinate box, and the components that are fixed there.
 struct Fixed {
   std::variant<std::string, Region3> where;
-  std::array<bool, components> fixed = {true, true, true};
-  std::string text;                            ///< as the user wrote it, for messages
+  std::array<bool, components> fixed = {true, true, true};  ///< along x, y, z
+  std::string text;                                         ///< as the user wrote it, for messages
   std::optional<std::string> whole_name = {};  ///< a set whose name ends like components: all of them, if it exists
 };
 
 enum class FileSupports { used, ignored };
 
-/// The numbering of free degrees of freedom: those of a rank are contiguous, vertex by vertex.
+/// The numbering of the free degrees of freedom. Those of one rank are contiguous and ordered by vertex.
 struct Dofs {
   MPI_Comm comm = MPI_COMM_NULL;
-  Index total = 0;
-  Index first = 0;  ///< the first that this rank owns
-  int owned = 0;
-  int block = components;      ///< 3 where every vertex is wholly free or wholly fixed, else 1
-  std::vector<Index> numbers;  ///< 3 a local vertex: global number, or -1 where fixed
-  std::uint64_t checksum = 0;  ///< of what is fixed; the same on any number of ranks
+  Index total = 0;             ///< on all ranks
+  Index first = 0;             ///< the first number that this rank owns
+  int owned = 0;               ///< how many this rank owns
+  int block = components;      ///< 3 if every vertex is either free or fixed in all components, else 1
+  std::vector<Index> numbers;  ///< three for each local vertex: the global number, or -1 if fixed
+  std::uint64_t checksum = 0;  ///< of the fixed degrees of freedom; the same on any number of ranks
 
   Index number(int vertex, int component) const {
     return numbers[static_cast<std::size_t>(components * vertex + component)];
@@ -40,26 +40,28 @@ struct Dofs {
   bool fixed(int vertex, int component) const { return number(vertex, component) < 0; }
 };
 
-/// Throws InputError on all ranks for a set that does not exist (naming the nearest) or that is one of several, a box
-/// without vertices, or when nothing is left free. *Collective*.
+/// *Collective*. Numbers the free degrees of freedom. Throws InputError on all ranks for a set that does not exist
+/// (naming the nearest one) or whose name is ambiguous, for a box without vertices, and when no degree of freedom is
+/// free.
 Dofs number(const Mesh& mesh, const std::vector<Fixed>& supports, FileSupports file_supports);
 
-/// The displacement of vertex v, or what else there is of it: its rows among rows of vertices.
+/// The rows of vertex v in a matrix or vector with three rows for each vertex.
 template <class Vertexwise>
 auto at_vertex(Vertexwise&& rows, Eigen::Index v) {
   return rows.template middleRows<components>(components * v);
 }
 
-/// The block of vertices a and b in a matrix of a cell.
+/// The 3 x 3 block of the vertices a and b in the matrix of a cell.
 template <class Matrix>
 auto at_vertices(Matrix&& matrix, Eigen::Index a, Eigen::Index b) {
   return matrix.template block<components, components>(components * a, components * b);
 }
 
-/// Rows of free degrees of freedom -> rows of owned vertices: 3 a vertex, zeros at fixed components.
+/// From rows of free degrees of freedom to rows of owned vertices, three for each vertex, with zeros at fixed
+/// components.
 VertexRows to_vertices(const Mesh& mesh, const Dofs& dofs, FreeRef x);
 
-/// The other way: fixed components are left out.
+/// From rows of owned vertices to rows of free degrees of freedom; fixed components are left out.
 FreeRows from_vertices(const Mesh& mesh, const Dofs& dofs, VertexRef u);
 
 }  // namespace ritz::mesh

@@ -1,4 +1,4 @@
-// The distributed mesh: each rank holds its own cells, a halo of cells, and the vertices they need.
+// The distributed mesh: each rank holds its own cells, a halo of cells, and the vertices of both.
 #pragma once
 #include <mpi.h>
 
@@ -14,7 +14,7 @@
 
 namespace ritz::mesh {
 
-// What a distributed mesh has in common with its file.
+// Types that the distributed mesh shares with the mesh file.
 using readers::FaceCell;
 using readers::FileMaterial;
 using readers::FileMesh;
@@ -24,17 +24,17 @@ using readers::NamedSet;
 using readers::Overlap;
 using readers::Region;
 
-/// Solid cells by local vertex numbers. The first `owned` belong to this rank; the rest is the halo: every other cell
-/// that touches an owned vertex, so that rows of owned vertices are complete without communication.
+/// Solid cells by local vertex numbers. The first `owned` belong to this rank. The rest is the halo: all other cells
+/// that touch an owned vertex, so that rows of owned vertices can be summed completely without communication.
 struct Cells {
   int owned = 0;
   std::vector<fem::CellType> types;
   std::vector<int> offsets = {0};
   std::vector<int> vertices;
   std::vector<std::int32_t> regions;
-  std::vector<Index> numbers;   ///< position among all cells of the mesh, in the file's order
+  std::vector<Index> numbers;   ///< position among all cells of the mesh, in the order of the file
   std::vector<Index> ids;       ///< the file's own number
-  std::vector<int> file_order;  ///< all of them, by ascending position
+  std::vector<int> file_order;  ///< all local cells, by ascending position
 
   int count() const { return static_cast<int>(types.size()); }
   std::span<const int> of(int cell) const {
@@ -44,14 +44,14 @@ struct Cells {
   }
 };
 
-/// Face `face` (numbered as fem::face_vertices does) of local cell `cell`.
+/// Face `face` (numbered as in fem::face_vertices) of local cell `cell`.
 struct CellFace {
   int cell;
   int face;
   auto operator<=>(const CellFace&) const = default;
 };
 
-/// A named set on this rank. Replicated: name, totals.
+/// A named set, as this rank sees it. Name and totals are replicated.
 struct Set {
   std::string name;
   std::vector<int> vertices;    ///< local numbers, owned and ghost, ascending
@@ -65,10 +65,10 @@ struct Support {
   std::array<bool, 3> held;   ///< along x, y, z
 };
 
-/// A vertex where several rigid pieces meet: the body can hinge there.
+/// A vertex in which several rigid pieces meet, so that they can hinge there.
 struct Joint {
   std::array<double, 3> point;
-  std::vector<int> pieces;  ///< all of them; the first is the vertex's in Mesh::vertex_pieces
+  std::vector<int> pieces;  ///< numbers of all pieces; the first is the vertex's entry in Mesh::vertex_pieces
 };
 
 struct Mesh {
@@ -76,29 +76,29 @@ struct Mesh {
   Index vertices_total = 0;
   Index cells_total = 0;
 
-  /// Local vertices: the `owned` first, by ascending file position; then ghosts.
+  /// Local vertices: the first `owned`, by ascending file position; then the ghosts.
   int owned = 0;
   Index first = 0;                    ///< global number of the first owned vertex
-  std::vector<Index> file_positions;  ///< row in the file's order, among vertices that cells use
+  std::vector<Index> file_positions;  ///< position in the file, counting the vertices that cells use
   std::vector<Index> ids;             ///< the file's own numbers
-  std::vector<Index> global;          ///< global number: owned ones contiguous by rank
+  std::vector<Index> global;          ///< global numbers; those that a rank owns are contiguous
   Eigen::Matrix3Xd points;            ///< m
-  std::vector<int> vertex_pieces;     ///< a piece that the vertex belongs to; see joints
-  Halo halo;                          ///< how ghosts get their values
+  std::vector<int> vertex_pieces;     ///< one of the pieces that the vertex belongs to; see joints
+  Halo halo;                          ///< the exchange of values at ghosts
 
   Cells cells;
   std::vector<CellFace> boundary;  ///< boundary faces of owned cells
-  std::vector<Region> regions;     ///< materials in SI
+  std::vector<Region> regions;     ///< their materials in SI units
   std::vector<Set> sets;
-  std::vector<Support> supports;             ///< those that the file states
-  std::vector<std::string> notes;            ///< what a careful user is told of the file
-  std::vector<std::filesystem::path> files;  ///< rank 0: all that were read
+  std::vector<Support> supports;             ///< those that the file gives
+  std::vector<std::string> notes;            ///< warnings about the file, one sentence each
+  std::vector<std::filesystem::path> files;  ///< on rank 0: all files that were read
 
-  int pieces = 0;           ///< parts connected through faces: rigid bodies of a mechanism
-  int connected_parts = 0;  ///< parts connected at all
+  int pieces = 0;           ///< parts connected through faces: the rigid bodies of a mechanism
+  int connected_parts = 0;  ///< parts connected through faces, edges or vertices
   std::vector<Joint> joints;
-  Index dropped_vertices = 0;  ///< in the file, in no cell
-  Index hanging_faces = 0;     ///< of a Tet10 on a cell of straight edges, which its mid-edge vertices are no part of
+  Index dropped_vertices = 0;  ///< vertices of the file that no cell uses
+  Index hanging_faces = 0;     ///< faces of a Tet10 on a cell with straight edges, which lacks their mid-edge vertices
   std::uint64_t checksum = 0;  ///< of vertices, cells and regions; the same on any number of ranks
 
   int local_vertices() const { return static_cast<int>(file_positions.size()); }
@@ -107,7 +107,7 @@ struct Mesh {
   const Set* find(const std::string& name) const;
 };
 
-/// A face's local vertex numbers, in the order of fem::face_vertices.
+/// The local vertex numbers of a face, in the order of fem::face_vertices.
 std::vector<int> face_vertices(const Mesh& mesh, CellFace face);
 
 }  // namespace ritz::mesh

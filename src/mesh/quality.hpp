@@ -1,4 +1,4 @@
-// What is wrong, or nearly wrong, with the cells of a mesh.
+// Checks of the cells of a mesh: errors and warnings.
 #pragma once
 #include <string>
 #include <vector>
@@ -7,14 +7,13 @@
 
 namespace ritz::mesh {
 
-/// Throws InputError on all ranks when a cell has a Jacobian determinant <= 0 where it is integrated (a straight one:
-/// or at a corner); names the first such cell and how many there are, and its mid-edge vertices where they alone fold
-/// it. *Collective*.
+/// *Collective*. Throws InputError on all ranks when a cell has a Jacobian determinant <= 0 at a quadrature point or,
+/// if its edges are straight, at a corner. The message names the first such cell, their number, and the mid-edge
+/// vertices if these alone fold the cell.
 void refuse_inverted_cells(const Mesh& mesh);
 
-/// One sentence for each thing that a careful user would want to know: what the file's reader noted, cells that
-/// mid-edge vertices fold at a corner, slivers under 1 degree, dropped vertices, faces that do not conform, several
-/// pieces. Same on all ranks. *Collective*.
+/// *Collective*. Warnings, one sentence each, the same on all ranks: notes of the file's reader, cells that mid-edge
+/// vertices fold at a corner, slivers under 1 degree, dropped vertices, faces that do not conform, several pieces.
 std::vector<std::string> warnings(const Mesh& mesh);
 
 }  // namespace ritz::mesh

@@ -1,4 +1,4 @@
-// From a mesh option to a distributed mesh.
+// Reads or generates a mesh and distributes it.
 #pragma once
 #include <mpi.h>
 
@@ -15,16 +15,17 @@ namespace ritz::mesh {
 
 enum class Partitioner { metis, ptscotch };
 
+/// What to read or to generate, and how to distribute it.
 struct Source {
   std::variant<std::filesystem::path, Box> mesh;
   Units units;
   Partitioner partitioner = Partitioner::metis;
-  Ignored ignored;                                  ///< of the mesh file, on the user's word
-  std::vector<std::filesystem::path> vertex_lists;  ///< .bou files: each becomes a set named by its path
+  Ignored ignored;                                  ///< what of the mesh file the user asked to ignore
+  std::vector<std::filesystem::path> vertex_lists;  ///< .bou files; each becomes a set with its path as name
 };
 
-/// Reads or generates the mesh and distributes it. Throws InputError on all ranks for a wrong file, a cell turned
-/// inside out, or a non-finite coordinate. *Collective*.
+/// *Collective*. Reads or generates the mesh and distributes it. Throws InputError on all ranks for a wrong file, an
+/// inverted cell, or a coordinate that is not finite.
 Mesh read(MPI_Comm comm, const Source& source);
 
 }  // namespace ritz::mesh

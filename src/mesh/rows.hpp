@@ -1,4 +1,4 @@
-// Three kinds of tall matrices whose rows mean different things, so that one is not taken for another.
+// Tall matrices of three kinds, so that the compiler tells matrices with different rows apart.
 #pragma once
 #include <utility>
 
@@ -8,10 +8,10 @@ namespace ritz::mesh {
 
 struct Free {};      ///< the free degrees of freedom of this rank
 struct Vertices {};  ///< the vertices that this rank owns, 3 rows each, fixed components included
-struct Locals {};    ///< all vertices that this rank knows: its own, then ghosts
+struct Locals {};    ///< all vertices that this rank holds, 3 rows each: its own, then ghosts
 
-/// A matrix over rows of one kind, a column each vector. What is computed of it has no kind, and may become any; but a
-/// matrix of one kind is not accepted where another is expected: that does not compile.
+/// A matrix over rows of one kind, one column for each vector. The result of an expression has no kind and can be
+/// assigned to any; passing a matrix of one kind where another is expected does not compile.
 template <class Kind>
 struct Rows : petsc::Tall {
   using petsc::Tall::Tall;
@@ -24,7 +24,7 @@ struct Rows : petsc::Tall {
   Rows& operator=(const Rows<Other>&) = delete;
 };
 
-/// The same to be read by a function: a matrix, or some of its columns.
+/// An argument that is only read: such a matrix, or some of its columns.
 template <class Kind>
 struct RowsRef : petsc::ConstTallRef {
   template <class Expression>

@@ -1,4 +1,4 @@
-// How the cells of a mesh file hang together. Serial: runs on the rank that read the file.
+// How the cells of a mesh file are connected. Serial: runs on the rank that read the file.
 #pragma once
 #include <unordered_map>
 #include <vector>
@@ -9,39 +9,40 @@ namespace ritz::mesh {
 
 struct Topology {
   std::vector<std::array<Index, 2>> neighbours;  ///< pairs of cells that share a face
-  std::vector<CellFace> boundary;                ///< faces of one cell only; ascending cell
-  std::vector<std::vector<CellFace>> set_faces;  ///< of each FileMesh set that lists faces, those on the boundary
-  std::vector<std::int32_t> vertex_pieces;       ///< a piece of each vertex
+  std::vector<CellFace> boundary;                ///< faces of one cell only, by ascending cell
+  std::vector<std::vector<CellFace>> set_faces;  ///< for each set of the file that lists faces, those on the boundary
+  std::vector<std::int32_t> vertex_pieces;       ///< one of the pieces that each vertex belongs to
   std::vector<Joint> joints;
   int pieces = 0;           ///< parts connected through faces
   int connected_parts = 0;  ///< parts connected through vertices
   Index hanging_faces = 0;
 };
 
-/// Finds faces, pieces and joints. Throws InputError for a mesh of more than `max_pieces` pieces, for two cells of the
-/// same corners, and for a face of three cells.
+/// Finds faces, pieces and joints. Throws InputError for a mesh of more than `max_pieces` pieces, for two cells with
+/// the same corners, and for a face of three cells.
 Topology find_topology(const FileMesh& mesh);
 
 inline constexpr int max_pieces = 200;
 
-/// A face by its corners, ascending; a triangle has a -1 before them.
+/// A face by its corners in ascending order; for a triangle the first entry is -1.
 using FaceKey = std::array<Index, 4>;
 
 struct FaceKeyHash {
   std::size_t operator()(const FaceKey& key) const;
 };
 
-/// `corners`: three or four.
+/// `corners` has three or four entries.
 FaceKey face_key(std::span<const Index> corners);
 
 struct MatchedFaces {
   std::vector<std::array<Index, 2>> neighbours;                 ///< pairs of cells that share a face
   std::unordered_map<FaceKey, CellFace, FaceKeyHash> boundary;  ///< faces of one cell only
-  Index hanging = 0;                                            ///< pairs of which one has mid-edge vertices alone
+  Index hanging = 0;                                            ///< pairs in which only one cell has mid-edge vertices
 };
 
-/// Faces are shared by their corners; a quadrilateral also with the two triangles that a diagonal cuts it into. Throws
-/// InputError naming the cells for two cells of the same corners and for three that share a face.
+/// Two cells share a face if it has the same corners; a quadrilateral is also shared with the two triangles into which
+/// a diagonal divides it. Throws an InputError that names the cells, when two have the same corners or three share a
+/// face.
 MatchedFaces match_faces(const FileMesh& mesh);
 
 }  // namespace ritz::mesh

@@ -1,4 +1,4 @@
-// Unit systems of mesh files; everything inside ritz is SI.
+// Unit systems of mesh files. Everything inside ritz is in SI units.
 #pragma once
 #include <string>
 #include <string_view>
@@ -7,7 +7,7 @@
 
 namespace ritz::mesh {
 
-/// One unit of each, in SI.
+/// The size of each unit in SI.
 struct Units {
   std::string name = "m-kg-s";
   double length = 1;
@@ -23,7 +23,8 @@ struct Units {
   }
 };
 
-/// "m-kg-s", "mm-t-s", "um-kg-s", "mm-kg-ms", "cm-g-s", ...: length-mass-time. Throws InputError for another word.
+/// Parses length-mass-time, such as "m-kg-s", "mm-t-s", "um-kg-s", "mm-kg-ms" or "cm-g-s". Throws InputError for any
+/// other word.
 Units parse_units(std::string_view text);
 
 }  // namespace ritz::mesh

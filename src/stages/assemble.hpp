@@ -1,4 +1,4 @@
-// The full model: a mesh, its numbering, its materials and their sparse matrices.
+// The full model: a mesh, its degrees of freedom, its materials and its sparse matrices.
 #pragma once
 #include <vector>
 
@@ -9,15 +9,15 @@
 
 namespace ritz::stages {
 
-/// K (N/m) and M (kg) over the free degrees of freedom; M_s, the scalar consistent mass (kg) over all vertices, so that
-/// M = M_s ⊗ I₃ less the fixed rows and columns.
+/// K (N/m) and M (kg) over the free degrees of freedom, and the scalar consistent mass M_s (kg) over all vertices: M =
+/// M_s ⊗ I₃ without the fixed rows and columns.
 struct Matrices {
   petsc::Matrix stiffness;
   petsc::Matrix mass;
   petsc::Matrix scalar_mass;
 };
 
-/// The unreduced body. Every stage reads this one value, and none changes it.
+/// The unreduced body. Every stage reads it, and none changes it.
 struct Problem {
   mesh::Mesh mesh;
   mesh::Dofs dofs;
@@ -25,10 +25,9 @@ struct Problem {
   Matrices matrices;
 };
 
-/// Assembles K at rest and the exact consistent mass. Each rank computes the complete rows of its own vertices from its
-/// own and its halo's cells, in the file's order of cells: no value is communicated, and no entry depends on the number
-/// of ranks. Throws NumericalError for a K or M, or their quotient, beyond 1e±120.
-/// *Collective*.
+/// *Collective*. Assembles K at rest and the exact consistent mass. Each rank computes the complete rows of its own
+/// vertices from its own cells and the halo, in the order of cells in the file: no value is communicated, and no entry
+/// depends on the number of ranks. Throws NumericalError when K, M or their quotient is beyond 1e±120.
 Problem assemble(mesh::Mesh mesh, mesh::Dofs dofs, fem::Materials materials);
 
 }  // namespace ritz::stages

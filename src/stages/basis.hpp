@@ -1,4 +1,5 @@
-// The basis U: scaled mass-PCA of modes and derivatives (Eqs. 17, 18), or POD of snapshots (Eq. 12), or both.
+// The basis U: mass-PCA of scaled modes and modal derivatives (Eqs. 17, 18 of the notes), or POD of snapshots (Eq. 12),
+// or both.
 #pragma once
 #include <vector>
 
@@ -8,38 +9,39 @@
 namespace ritz::stages {
 
 struct BasisOptions {
-  std::vector<int> modes;  ///< flexible modes that enter, from 1, ascending; empty: all
-  int derivatives = 0;     ///< K': of the first so many modes that enter; a cluster there is kept whole
+  std::vector<int> modes;  ///< numbers of the flexible modes that enter, from 1, ascending; empty: all
+  int derivatives = 0;     ///< K': derivatives of the first K' modes that enter; K' is raised to the end of a cluster
   Cut cut;
-  int block = 48;  ///< derivatives solved at once, about
+  int block = 48;  ///< about how many derivatives are solved at once
 };
 
 struct BasisResult {
-  mesh::FreeRows U;  ///< rows of free degrees of freedom: UᵀMU = I, UᵀKU diagonal and ascending
+  mesh::FreeRows U;  ///< rows of free degrees of freedom; UᵀMU = I, UᵀKU diagonal and ascending
   model::Reduction reduction;
-  DerivativeCounts derivatives;  ///< that the set was made with
+  DerivativeCounts derivatives;  ///< of the derivatives in the set
   double orthonormality = 0;     ///< max |UᵀMU − I|
 };
 
-/// The flexible modes of these numbers. Throws InputError where there are fewer.
+/// The flexible modes with these numbers, from 1. Throws InputError when there are fewer.
 EnteringModes entering_modes(const ModesResult& modes, const std::vector<int>& chosen);
 
-/// Eq. 18's set { (λ₁/λ_j) ψ_j } ∪ { (λ₁²/(λ_i λ_j)) Φ_ij, i ≤ j }, ψ mass-orthonormal, Φ as Eq. 15 gives it, in
-/// whose M-norm singular value decomposition the first directions span U; with `snapshots` (full displacements, rows of
-/// free degrees of freedom, m) these as well: alone as they are, beside modes divided by the largest M-norm of one.
-/// U is turned so that UᵀKU is diagonal; signs come from vertex numbers. It has no rigid modes in it.
+/// *Collective*. U spans the first directions of a singular value decomposition, in the M-norm, of the set of Eq. 18, {
+/// (λ₁/λ_j) ψ_j } ∪ { (λ₁²/(λ_i λ_j)) Φ_ij, i ≤ j }, with ψ mass-orthonormal and Φ from Eq. 15. `snapshots` (full
+/// displacements, rows of free degrees of freedom, m) are added to the set: unscaled if they are alone, and divided by
+/// the largest of their M-norms beside modes. U is rotated so that UᵀKU is diagonal; its signs come from vertex
+/// numbers. It contains no rigid modes.
 ///
-/// Derivatives are streamed: a block enters the decomposition and is dropped; `reduction.discarded` bounds all that U
-/// leaves out, what was never solved included. Throws InputError when the set has fewer independent directions than the
-/// cut asks for, NumericalError when a solve fails. *Collective*.
+/// Derivatives are processed in blocks: each block enters the decomposition and is discarded. `reduction.discarded`
+/// bounds everything that U leaves out, including what was never solved for. Throws InputError when the set has fewer
+/// independent directions than the cut asks for, and NumericalError when a solve fails.
 BasisResult basis(const Problem& problem, const ModesResult& modes, mesh::FreeRef snapshots,
                   const BasisOptions& options, const ModesProgress& progress);
 
-/// The set's directions, those of equal σ turned as make_canonical does: a cut between them takes the same on any
-/// number of ranks. *Collective*.
+/// *Collective*. The directions of the set. Those with equal σ are rotated as make_canonical does, so that a cut
+/// between them gives the same basis on any number of ranks.
 mesh::FreeRows canonical_directions(const Problem& problem, const Principal& set);
 
-/// The basis of the first `columns` of them, finished as above. *Collective*.
+/// *Collective*. The basis of the first `columns` directions, finished as in basis().
 BasisResult cut_basis(const Problem& problem, const ModesResult& modes, const ScaledSet& set, int columns);
 
 }  // namespace ritz::stages

@@ -1,4 +1,4 @@
-// The rows of K: 3 x 3 blocks of vertices that share a cell, less what is fixed.
+// The sparsity pattern of K: a 3 x 3 block for each pair of vertices that share a cell, without what is fixed.
 #pragma once
 #include <Eigen/Core>
 #include <vector>
@@ -9,10 +9,11 @@
 
 namespace ritz::stages {
 
-/// Where the block of an entry of the vertex graph stands among the rows of free degrees of freedom.
+/// Where the block of each entry of the vertex graph is stored in the rows of free degrees of freedom.
 struct BlockPattern {
   VertexGraph graph;
-  std::vector<PetscInt> offsets;  ///< of a graph entry: how many columns stand before it in its part of a vertex's row
+  std::vector<PetscInt>
+      offsets;  ///< of each graph entry: how many columns stand before it in its part (own, other) of the row
 };
 
 struct BlockRows {
@@ -20,13 +21,14 @@ struct BlockRows {
   petsc::Rows rows;  ///< zeros
 };
 
-/// The complete rows of this rank's free degrees of freedom.
+/// The complete rows of this rank's free degrees of freedom, filled with zeros.
 BlockRows empty_rows(const mesh::Mesh& mesh, const mesh::Dofs& dofs);
 
-/// Columns of this rank's vertices stand in `own`, those of ghosts in `other`.
+/// The part of the rows that holds the column of local vertex `column`: `own` for this rank's vertices, `other` for
+/// ghosts.
 petsc::Csr& part(petsc::Rows& rows, const mesh::Mesh& mesh, int column);
 
-/// Adds the block of vertices `row` (owned) and `column`, the entry `place` of the graph.
+/// Adds the 3 x 3 block of the vertices `row` (owned) and `column`, whose entry in the graph is `place`.
 void add_block(petsc::Rows& rows, const BlockPattern& pattern, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
                std::size_t place, int row, int column, const Eigen::Matrix3d& block);
 

@@ -1,4 +1,4 @@
-// One choice of signs and of bases of repeated eigenvalues, whatever computed them.
+// A unique choice of signs and of bases for repeated eigenvalues, independent of the solver and of the number of ranks.
 #pragma once
 #include <vector>
 
@@ -6,11 +6,13 @@
 
 namespace ritz::stages {
 
-inline constexpr double cluster_gap = 1e-6;  ///< relative; closer eigenvalues are one cluster, never cut
+inline constexpr double cluster_gap =
+    1e-6;  ///< relative; eigenvalues closer than this form one cluster, which is never split
 
-/// Turns the M-orthonormal columns Ψ so that WᵀMΨ has a positive diagonal, and is symmetric positive definite on each
-/// group of eigenvalues that agree to 1e-9 (so close that any basis of the group has residuals as small). W is made
-/// from file vertex numbers and has at least as many columns as the largest group. *Collective*.
+/// *Collective*. Rotates the M-orthonormal columns Ψ so that WᵀMΨ has a positive diagonal and, on each group of
+/// eigenvalues that agree to 1e-9, is symmetric positive definite (such eigenvalues are so close that any basis of the
+/// group has equally small residuals). W is made from vertex numbers of the file (fixed_vectors) and has at least as
+/// many columns as the largest group.
 void make_canonical(Mat M, const Eigen::VectorXd& values, const petsc::ConstTallRef& W, petsc::TallRef vectors);
 
 /// The size of the largest such group.

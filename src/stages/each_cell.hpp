@@ -1,5 +1,5 @@
-// The loop over the cells of this rank, with each cell's element type, material and vertices at hand. It allocates
-// nothing.
+// Loops over the cells of this rank. The kernel gets the element type, material and vertices of each cell; nothing is
+// allocated.
 #pragma once
 #include <span>
 #include <vector>
@@ -15,16 +15,17 @@ namespace ritz::stages {
 /// One cell of element type E.
 template <class E>
 struct Cell {
-  int number;                     ///< among the cells of this rank
-  bool owned;                     ///< by this rank; else it is of the halo
+  int number;                     ///< local number of the cell
+  bool owned;                     ///< by this rank; else the cell is in the halo
   std::span<const int> vertices;  ///< local numbers
   int region;                     ///< of the mesh
   const fem::Material& material;
-  fem::Coordinates<E> x;  ///< of the vertices at rest, m, a column each
+  fem::Coordinates<E> x;  ///< of the vertices at rest, m, one column for each
 
   int vertex(int a) const { return vertices[static_cast<std::size_t>(a)]; }
 
-  /// The three numbers a vertex of column `j` of `local`, whose rows are of all local vertices, 3 each.
+  /// The values of column `j` of `local`, 3 x vertices; the rows of `local` are those of all local vertices, 3 for
+  /// each.
   fem::Coordinates<E> gather(mesh::LocalRef local, Eigen::Index j) const {
     fem::Coordinates<E> u;
     for (int a = 0; a < E::vertices; ++a) u.col(a) = mesh::at_vertex(local.col(j), vertex(a));
@@ -32,7 +33,7 @@ struct Cell {
   }
 };
 
-/// Calls kernel(Cell<E>) for one cell, E being its element type.
+/// Calls kernel(Cell<E>) for one cell, where E is its element type, and returns its result.
 template <class Kernel>
 decltype(auto) visit_cell(const mesh::Mesh& mesh, const fem::Materials& materials, int cell, Kernel&& kernel) {
   const auto c = static_cast<std::size_t>(cell);
@@ -48,15 +49,15 @@ decltype(auto) visit_cell(const mesh::Mesh& mesh, const fem::Materials& material
   });
 }
 
-/// Calls kernel(Cell<E>) for every cell of this rank, its halo's too, in the file's order: what a kernel sums into rows
-/// of owned vertices is complete, and rounds the same on any number of ranks.
+/// Calls kernel(Cell<E>) for every cell of this rank and of its halo, in the order of the file. Sums over these cells
+/// into rows of owned vertices are complete, and are rounded the same on any number of ranks.
 template <class Kernel>
 void each_cell(const mesh::Mesh& mesh, const fem::Materials& materials, Kernel&& kernel) {
   for (const int c : mesh.cells.file_order) visit_cell(mesh, materials, c, kernel);
 }
 
-/// Calls kernel(Cell<E>) for the cells that this rank owns, in the file's order: what is summed over ranks afterwards
-/// counts each cell once.
+/// Calls kernel(Cell<E>) for the cells that this rank owns, in the order of the file. A sum over these and then over
+/// the ranks counts each cell once.
 template <class Kernel>
 void each_owned_cell(const mesh::Mesh& mesh, const fem::Materials& materials, Kernel&& kernel) {
   for (int c = 0; c < mesh.cells.owned; ++c) visit_cell(mesh, materials, c, kernel);

@@ -1,36 +1,37 @@
-// The ways to find the lowest modes: our block Lanczos, SLEPc, and multigrid without a factorization.
+// The methods to find the lowest modes: ritz's block Lanczos, SLEPc, and multigrid without a factorization.
 #pragma once
 #include "ritz/stages/linear_modes.hpp"
 #include "ritz/stages/rayleigh_ritz.hpp"
 
 namespace ritz::stages {
 
-/// What a strategy works on.
+/// The eigenvalue problem that a strategy solves.
 struct EigenProblem {
   const Problem& body;
   const petsc::Tall& rigid;  ///< M-orthonormal rigid modes
   double norm_K;             ///< ‖K‖₁
 };
 
-/// Eigenpairs found, ascending, and how.
+/// The eigenpairs found, λ ascending, and how.
 struct Found {
   RitzPairs pairs;
   int iterations = 0;
   Inverse inverse = {};
 };
 
-/// The `wanted` lowest flexible pairs (fewer only when there are no more), given some of them already. *Collective*.
+/// *Collective*. The `wanted` lowest flexible pairs (fewer only if there are no more). `known`: pairs that are already
+/// found.
 Found find_direct(const EigenProblem& problem, int wanted, const petsc::Tall& known, const ModesOptions& options,
                   petsc::Factorization& solver, const ModesProgress& progress);
 Found find_by_krylov_schur(const EigenProblem& problem, int wanted);
 Found find_iteratively(const EigenProblem& problem, int wanted, const petsc::Tall& known,
                        const ModesProgress& progress);
 
-/// How many columns the iterative strategy works on for so many pairs.
+/// The block size of the iterative strategy for so many wanted pairs.
 int iterative_block(int wanted);
 
-/// The shift of the spectral transformation: 0 where the supports hold the body; a tenth of the first elastic
-/// eigenvalue's scale below 0 where it can move rigidly. *Collective*.
+/// *Collective*. The shift of the spectral transformation: 0 if the supports hold the body; if it can move rigidly,
+/// minus a tenth of the elastic scale of its first eigenvalue.
 double safe_shift(const EigenProblem& problem);
 
 }  // namespace ritz::stages

@@ -1,4 +1,4 @@
-// What the faces of a set put on each vertex.
+// The weights with which surface loads on the faces of a set act on the vertices.
 #pragma once
 #include <vector>
 
@@ -7,9 +7,9 @@
 
 namespace ritz::stages {
 
-/// ∫ N_a dA and −∫ N_a n dA (n out of the body), m², on the geometry at rest: 4 columns over owned vertices. A traction
-/// t puts the first column times t on the vertices, a pressure p that pushes into the body p times the other three.
-/// *Collective*.
+/// *Collective*. ∫ N_a dA and −∫ N_a n dA (n points out of the body), m², on the geometry at rest: 4 columns over owned
+/// vertices. A traction t acts on the vertices with the first column times t, a pressure p that pushes into the body
+/// with p times the other three.
 petsc::Tall face_weights(const mesh::Mesh& mesh, const std::vector<mesh::CellFace>& faces);
 
 }  // namespace ritz::stages

@@ -1,4 +1,4 @@
-// Vectors that depend on nothing but the mesh file's vertex numbers.
+// Pseudo-random vectors that depend on the vertex numbers of the mesh file alone.
 #pragma once
 #include <cstdint>
 
@@ -6,8 +6,8 @@
 
 namespace ritz::stages {
 
-/// Columns of numbers in [-1, 1), one for each free degree of freedom: the same on any number of ranks. They start
-/// iterations and fix signs.
+/// Columns of numbers in [-1, 1), one for each free degree of freedom, the same on any number of ranks. They start
+/// iterations and determine signs.
 mesh::FreeRows fixed_vectors(const mesh::Mesh& mesh, const mesh::Dofs& dofs, int columns, std::uint64_t stream);
 
 }  // namespace ritz::stages

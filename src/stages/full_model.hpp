@@ -1,4 +1,4 @@
-// The unreduced model, ready for Newton's method. Vectors are over the free degrees of freedom, one column.
+// The unreduced model with its Newton solver. Vectors have one column over the free degrees of freedom.
 #pragma once
 #include <string>
 
@@ -7,7 +7,7 @@
 
 namespace ritz::stages {
 
-/// The problem must outlive it.
+/// The full model. The problem must outlive it.
 struct FullModel {
   const Problem& problem;
   Tangent tangent;
@@ -25,11 +25,11 @@ struct EnergyAndForce {
 /// *Collective*.
 EnergyAndForce energy_and_force(const FullModel& model, mesh::FreeRef u);
 
-/// What rounding can make of ‖f(u)‖, N: u known to ε times its largest component in a cell, through the cell's
-/// stiffness. *Collective*.
+/// *Collective*. The size of ‖f(u)‖ that rounding errors alone can cause, N: u is known to ε times its largest
+/// component in a cell, which acts through the cell's stiffness.
 double force_rounding(const FullModel& model, mesh::FreeRef u);
 
-/// Cells that are turned inside out somewhere: det F ≤ 0 at a point of the element's rule. *Collective*.
+/// *Collective*. The number of cells that are inverted: det F ≤ 0 at a point of the element's rule.
 std::int64_t inverted_cells(const FullModel& model, mesh::FreeRef u);
 
 /// ‖x‖₂. *Collective*.

@@ -1,4 +1,4 @@
-// The Gram matrix that all inertia terms of a body are read off.
+// The Gram matrix from which all inertia terms of a body are computed.
 #pragma once
 #include "ritz/mesh/mesh.hpp"
 #include "ritz/model/model.hpp"
@@ -6,8 +6,8 @@
 
 namespace ritz::stages {
 
-/// G = Bᵀ M_s B with B = [1, X, Y, Z, U_x, U_y, U_z], coordinates relative to the middle of the bounding box.
-/// `u`: the basis over owned vertices, 3 rows a vertex, zeros at fixed components. *Collective*.
+/// *Collective*. G = Bᵀ M_s B with B = [1, X, Y, Z, U_x, U_y, U_z], the coordinates relative to the centre of the
+/// bounding box. `u` is the basis over owned vertices, 3 rows for each, with zeros at fixed components.
 model::Inertia inertia(const mesh::Mesh& mesh, Mat scalar_mass, mesh::VertexRef u);
 
 }  // namespace ritz::stages

@@ -1,4 +1,4 @@
-// The full model's internal force at any displacement.
+// The internal force of the full model at any displacement.
 #pragma once
 #include <vector>
 
@@ -9,12 +9,12 @@ namespace ritz::stages {
 
 /// Energies and internal forces of the full model.
 struct InternalForces {
-  Eigen::VectorXd energies;  ///< J, of the whole body, one a column
-  mesh::VertexRows forces;   ///< dE/du, N, rows of owned vertices, 3 a vertex, at fixed components too
+  Eigen::VectorXd energies;  ///< of the whole body, J, one for each column
+  mesh::VertexRows forces;   ///< dE/du, N, rows of owned vertices, 3 for each, fixed components included
 };
 
-/// By the elements' own rule, for each column of `u` (m, rows of owned vertices, 3 a vertex). Each rank sums the
-/// complete rows of its vertices from its own and its halo's cells, in the file's order. *Collective*.
+/// *Collective*. Energy and force by the elements' rules for each column of `u` (m, rows of owned vertices, 3 for
+/// each). Each rank sums the complete rows of its vertices from its own cells and the halo, in the order of the file.
 InternalForces internal_forces(const Problem& problem, mesh::VertexRef u);
 
 }  // namespace ritz::stages

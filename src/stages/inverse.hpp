@@ -1,4 +1,4 @@
-// What solves with K: the factorization, or the multigrid cycle, that the modes were found with.
+// Solves with K, by the factorization or the multigrid cycle with which the modes were found.
 #pragma once
 #include <functional>
 
@@ -7,19 +7,21 @@
 
 namespace ritz::stages {
 
-/// x ≈ (K − σM)⁻¹ b for all columns, σ ≤ 0 a shift below the spectrum; exact (σ = 0, a factorization) or a symmetric
-/// positive definite preconditioner of K on what no rigid mode sees. Owns what it needs. *Collective*.
+/// *Collective*. x ≈ (K − σM)⁻¹ b for all columns, with a shift σ ≤ 0 below the spectrum: exact for a factorization
+/// with σ = 0, otherwise a symmetric positive definite preconditioner for K on the complement of the rigid modes. The
+/// function owns what it needs.
 using Inverse = std::function<void(const petsc::ConstTallRef& b, petsc::TallRef x)>;
 
 struct Solved {
   petsc::Tall x;
   int iterations = 0;
-  double residual = 0;  ///< the largest ‖Kx − b‖ / ‖b‖ of a column
+  double residual = 0;  ///< the largest ‖Kx − b‖ / ‖b‖ of all columns
 };
 
-/// x = K⁻¹ b; where the body can move rigidly, K x = (I − M R Rᵀ) b with RᵀMx = 0, R the M-orthonormal `rigid` modes.
-/// Conjugate gradients on all columns side by side, preconditioned with `inverse` (which, when exact, ends them at
-/// once), until ‖Kx − b‖ ≤ max(1e-11 ‖b‖, 10 ε ‖K‖₁‖x‖). Throws NumericalError naming the residual. *Collective*.
+/// *Collective*. x = K⁻¹ b; if the body can move rigidly, K x = (I − M R Rᵀ) b with RᵀMx = 0, where R are the
+/// M-orthonormal `rigid` modes. Conjugate gradients on all columns at once, preconditioned with `inverse` (an exact one
+/// ends them in one iteration), until ‖Kx − b‖ ≤ max(1e-11 ‖b‖, 10 ε ‖K‖₁‖x‖). Throws a NumericalError that names the
+/// residual.
 Solved solve(const Matrices& matrices, const Inverse& inverse, const petsc::Tall& rigid, double norm_K,
              const petsc::ConstTallRef& b);
 

@@ -1,4 +1,4 @@
-// The lowest vibration modes of Kψ = λMψ (Eq. 1), certified.
+// The lowest vibration modes of Kψ = λMψ (Eq. 1 of the notes), certified.
 #pragma once
 #include <algorithm>
 #include <functional>
@@ -13,18 +13,19 @@
 
 namespace ritz::stages {
 
-/// Pairs sought beyond the last wanted one, among which a gap for the certificate's shift is found.
+/// Eigenpairs computed beyond the last wanted one, to find a gap for the shift of the certificate.
 inline constexpr int spare_pairs = 4;
 
 enum class Strategy { direct, iterative };
 
-/// Whether later stages solve with K as the modes did. The count of the modes then takes a second factorization.
+/// `kept`: later stages solve with K as the modes did; counting the modes then needs a second factorization. `spent`:
+/// the factorization may be overwritten.
 enum class InverseUse { spent, kept };
 
 struct ModesOptions {
-  int count = 20;  ///< flexible modes wanted
+  int count = 20;  ///< number of flexible modes wanted
   Strategy strategy = Strategy::direct;
-  bool slepc = false;  ///< the direct strategy by SLEPc's Krylov-Schur in place of block Lanczos
+  bool slepc = false;  ///< direct strategy: SLEPc's Krylov-Schur instead of block Lanczos
   int block = 4;
   double tolerance = 1e-10;
   InverseUse inverse = InverseUse::spent;
@@ -32,33 +33,34 @@ struct ModesOptions {
 
 struct ModesResult {
   model::Modes modes;
-  mesh::FreeRows vectors;  ///< rows of free degrees of freedom, a column each mode
+  mesh::FreeRows vectors;  ///< rows of free degrees of freedom, one column for each mode
   Strategy strategy = Strategy::direct;
   int iterations = 0;
-  Inverse inverse;                 ///< empty where it is spent
-  std::vector<std::string> notes;  ///< what a careful user should know
+  Inverse inverse;                 ///< empty if it was spent
+  std::vector<std::string> notes;  ///< warnings, one sentence each
 };
 
-/// The rigid modes: the first columns.
+/// The rigid modes, which are the first columns.
 inline petsc::ConstTallRef rigid_modes(const ModesResult& result) {
   return result.vectors.leftCols(std::ranges::count(result.modes.kinds, model::ModeKind::rigid));
 }
 
-/// The flexible modes: the columns behind the rigid ones, λ ascending.
+/// The flexible modes, which follow the rigid ones, λ ascending.
 inline petsc::ConstTallRef flexible_modes(const ModesResult& result) {
   return result.vectors.rightCols(result.vectors.cols() - rigid_modes(result).cols());
 }
 
 using ModesProgress = std::function<void(const std::string& what, double fraction)>;
 
-/// At least `count` flexible modes (a cluster, relative gap under 1e-6, is kept whole; never more than there are) and
-/// all rigid ones, M-orthonormal, with signs and bases of clusters fixed by the vertices' file numbers.
+/// *Collective*. Returns all rigid modes and at least `count` flexible ones: a cluster (relative gap under 1e-6) is
+/// kept whole, and there may be fewer modes. They are M-orthonormal; signs, and bases of clusters, are determined by
+/// the vertex numbers of the file.
 ///
-/// direct: shift-invert with MUMPS and block Lanczos; then the inertia of K − σM counts the eigenvalues below a shift
-/// past the last mode; a count that disagrees is searched for and, if it stays, a NumericalError. iterative: LOBPCG
-/// with GAMG, the rigid motions its near-null space; not certified. `earlier`: modes of an earlier run of the same
-/// problem, or no columns. Throws NumericalError when fewer modes converge than were asked for, a residual is above
-/// its gate, or ΨᵀMΨ differs from I by more than 1e-12. *Collective*.
+/// direct: shift-invert with MUMPS and block Lanczos. Then the inertia of K − σM counts the eigenvalues below a shift σ
+/// beyond the last mode; if the count disagrees, missing modes are searched for, and a difference that remains is a
+/// NumericalError. iterative: LOBPCG with GAMG, which uses the rigid motions as near-null space; not certified.
+/// `earlier`: modes from an earlier run of the same problem, or no columns. Throws NumericalError when fewer modes
+/// converge than requested, when a residual exceeds its bound, or when ΨᵀMΨ differs from I by more than 1e-12.
 ModesResult linear_modes(const Problem& problem, const ModesOptions& options, mesh::FreeRef earlier,
                          const ModesProgress& progress);
 

@@ -1,4 +1,4 @@
-// Rayleigh-Ritz: the best eigenpairs that a subspace holds, and how good they are.
+// Rayleigh-Ritz: the best eigenpairs in a subspace, and their residuals.
 #pragma once
 #include "ritz/petsc/multivector.hpp"
 
@@ -9,23 +9,23 @@ struct RitzPairs {
   petsc::Tall vectors;     ///< M-orthonormal
 };
 
-/// Diagonalises K over span(x), first M-orthonormalising x against the M-orthonormal `against`; columns that depend on
-/// others are dropped. *Collective*.
+/// *Collective*. Diagonalises K over span(x), after M-orthonormalising x against the M-orthonormal columns `against`;
+/// columns that depend linearly on others are dropped.
 RitzPairs rayleigh_ritz(Mat K, Mat M, const petsc::ConstTallRef& against, petsc::Tall x);
 
 struct Residuals {
   Eigen::VectorXd relative;  ///< ‖Kψ − λMψ‖ / (λ‖Mψ‖)
-  Eigen::VectorXd gate;      ///< max(1e-8, 10 ε‖K‖‖ψ‖ / (λ‖Mψ‖)), which `relative` has to meet
+  Eigen::VectorXd gate;      ///< max(1e-8, 10 ε‖K‖‖ψ‖ / (λ‖Mψ‖)), the bound that `relative` has to meet
   petsc::Tall vectors;       ///< Kψ − λMψ
 };
 
-/// `norm_K` is ‖K‖₁. *Collective*.
+/// *Collective*. The residuals of the pairs. `norm_K` is ‖K‖₁.
 Residuals residuals(Mat K, Mat M, double norm_K, const RitzPairs& pairs);
 
-inline constexpr double residual_gate = 1e-8;
-inline constexpr double orthonormality_gate = 1e-12;  ///< max |XᵀMX − I| of modes and of a basis
+inline constexpr double residual_gate = 1e-8;  ///< bound of a relative residual ‖Kψ − λMψ‖ / (λ‖Mψ‖)
+inline constexpr double orthonormality_gate = 1e-12;  ///< bound of max |XᵀMX − I| for modes and for a basis
 
-/// ‖A‖₁ = ‖A‖∞ of a symmetric matrix. *Collective*.
+/// *Collective*. ‖A‖₁ = ‖A‖∞ of a symmetric matrix.
 double one_norm(Mat A);
 
 }  // namespace ritz::stages

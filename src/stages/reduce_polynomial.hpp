@@ -1,4 +1,4 @@
-// The reduced energy of St. Venant-Kirchhoff bodies as a polynomial (Sec. 3.1).
+// The reduced energy of St. Venant-Kirchhoff bodies as a polynomial (Sec. 3.1 of the notes).
 #pragma once
 #include <optional>
 #include <vector>
@@ -8,23 +8,24 @@
 
 namespace ritz::stages {
 
-/// Coordinates of a polynomial: its quartic part then has 22 million numbers.
+/// The largest number of coordinates r of a polynomial: its quartic part then has 22 million coefficients.
 inline constexpr int most_coordinates = 150;
 
-/// The laws that it is made for, one a region.
+/// The laws for which there is a polynomial, one for each region.
 using PolynomialLaws = std::vector<fem::StVK>;
 
-/// The laws of all regions; nothing where the force of one is no polynomial.
+/// The laws of all regions; nothing if the force of one of them is not a polynomial.
 inline std::optional<PolynomialLaws> polynomial_laws(const fem::Materials& materials) {
   return fem::all_of<fem::StVK>(materials);
 }
 
-/// All coefficients, exact for the elements' own quadrature rules. `u`: the basis over owned vertices, 3 rows a vertex.
+/// *Collective*. All coefficients, exact for the quadrature rules of the elements. `u` is the basis over owned
+/// vertices, 3 rows for each.
 ///
-/// At a quadrature point the strain is E = Σ z_i sym(G_i) + Σ_{i≤j} z_i z_j Q_ij with G_i the displacement gradient of
-/// column i, Q_ij = sym(G_iᵀG_j), Q_ii = ½ G_iᵀG_i: linear in y = [z; (z_i z_j)_{i≤j}]. The energy is ½ yᵀ G y, and G
-/// is a sum of outer products, six a point, accumulated by `dsyrk`; then symmetrised, and summed once over the ranks.
-/// *Collective*.
+/// At a quadrature point the strain is E = Σ z_i sym(G_i) + Σ_{i≤j} z_i z_j Q_ij, where G_i is the displacement
+/// gradient of column i, Q_ij = sym(G_iᵀG_j) and Q_ii = ½ G_iᵀG_i: it is linear in y = [z; (z_i z_j)_{i≤j}]. The energy
+/// is ½ yᵀ G y. G is a sum of outer products, six for each point, accumulated by `dsyrk`, then symmetrised, and summed
+/// once over the ranks.
 model::Polynomial reduce_polynomial(const Problem& problem, const PolynomialLaws& laws, mesh::VertexRef u);
 
 }  // namespace ritz::stages

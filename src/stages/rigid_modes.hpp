@@ -5,16 +5,16 @@
 
 namespace ritz::stages {
 
-/// A basis of the null space of K over the free degrees of freedom: how the pieces of the body (parts connected through
-/// faces) can move rigidly, together where they share vertices and where supports hold them. A free piece has 6, two
-/// pieces that share a vertex 9, an edge 7; a body on enough supports 0.
+/// *Collective*. A basis of the null space of K over the free degrees of freedom: the rigid motions of the pieces of
+/// the body (parts connected through faces) that agree at shared vertices and satisfy the supports. A free piece has 6,
+/// two pieces that share a vertex 9, that share an edge 7; a body with enough supports has 0.
 ///
-/// The space is found in the 6 coordinates a piece: each shared vertex and each fixed degree of freedom is a row of a
-/// small matrix, whose null space (by SVD) it is. The columns are not yet orthonormal. *Collective*.
+/// Each piece has 6 coordinates. Each shared vertex and each fixed degree of freedom gives rows of a small matrix,
+/// whose null space is computed by SVD. The columns are not yet orthonormal.
 mesh::FreeRows rigid_motions(const mesh::Mesh& mesh, const mesh::Dofs& dofs);
 
-/// The six motions of the body as a whole, whatever its pieces and supports: the near-null space that multigrid wants.
-/// *Collective*.
+/// *Collective*. The six rigid motions of the whole body, regardless of pieces and supports: the near-null space for
+/// multigrid.
 mesh::FreeRows near_null_space(const mesh::Mesh& mesh, const mesh::Dofs& dofs);
 
 }  // namespace ritz::stages

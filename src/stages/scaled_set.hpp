@@ -1,4 +1,4 @@
-// Eq. 18's scaled set of modes and derivatives, decomposed while it grows.
+// The scaled set of modes and derivatives of Eq. 18, decomposed while it grows.
 #pragma once
 #include "ritz/stages/derivatives.hpp"
 #include "ritz/stages/principal.hpp"
@@ -11,29 +11,30 @@ struct EnteringModes {
   petsc::Tall vectors;     ///< M-orthonormal
 };
 
-/// What it is made from; all of it must outlive the calls.
+/// The data that the set is made from; it must outlive the calls.
 struct ScaledSource {
   const Problem& problem;
-  const ModesResult& modes;  ///< all that were found
+  const ModesResult& modes;  ///< all modes that were found
   const EnteringModes& entering;
 };
 
-/// { (λ₁/λ_j) ψ_j } ∪ { (λ₁²/(λ_i λ_j)) Φ_ij, i ≤ j } so far, ψ mass-orthonormal, Φ as Eq. 15 gives it.
+/// The part of { (λ₁/λ_j) ψ_j } ∪ { (λ₁²/(λ_i λ_j)) Φ_ij, i ≤ j } that was added so far, with ψ mass-orthonormal and Φ
+/// from Eq. 15.
 struct ScaledSet {
   Principal principal;
-  int modes = 0;        ///< the first so many entering modes are in it
-  int derivatives = 0;  ///< and all derivatives of the first so many
+  int modes = 0;        ///< how many of the entering modes it contains
+  int derivatives = 0;  ///< it contains all derivatives of the first so many entering modes
   DerivativeCounts counts;
 };
 
-/// K' raised to the end of a cluster.
+/// `count`, raised to the end of the cluster that it would split.
 int whole_cluster(const Eigen::VectorXd& values, int count);
 
-/// Adds the entering modes that the set lacks of the first `count`. *Collective*.
+/// *Collective*. Adds those of the first `count` entering modes that the set does not contain yet.
 void add_modes(const ScaledSource& source, int count, const Cut& cut, ScaledSet& set);
 
-/// Adds the derivatives that the set lacks of the first `count` entering modes, about `block` solved at once, each
-/// block dropped once it is decomposed. Throws NumericalError. *Collective*.
+/// *Collective*. Adds those derivatives of the first `count` entering modes that the set does not contain yet. About
+/// `block` are solved at once, and discarded after they are decomposed. Throws NumericalError when a solve fails.
 void add_derivatives(const ScaledSource& source, int count, int block, const Cut& cut, const ModesProgress& progress,
                      ScaledSet& set);
 

@@ -8,8 +8,9 @@
 
 namespace ritz::stages {
 
-/// Uᵀb for each named set that has vertices: a unit total force shared equally by its vertices; and, where it bounds
-/// the body, a unit pressure and a unit traction. `u`: the basis over owned vertices, 3 rows a vertex. *Collective*.
+/// *Collective*. Uᵀb for each named set that has vertices: for a unit total force shared equally by its vertices and,
+/// if the set lies on the surface, for a unit pressure and a unit traction. `u` is the basis over owned vertices, 3
+/// rows for each.
 std::vector<model::SetLoad> set_loads(const mesh::Mesh& mesh, mesh::VertexRef u);
 
 }  // namespace ritz::stages

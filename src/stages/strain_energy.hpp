@@ -1,12 +1,13 @@
-// The energy of displacement fields, summed cell by cell.
+// The strain energy of displacement fields, summed over the cells.
 #pragma once
 #include "ritz/stages/assemble.hpp"
 
 namespace ritz::stages {
 
-/// uᵀKu of each column, J·2: ∫ ε : C : ε by the element's own rule. A sum of squares of strains, so its relative
-/// rounding error does not grow with the condition of K as that of the product with K does: slender bodies and fine
-/// meshes keep their low eigenvalues' digits. `u`: owned vertices, 3 rows a vertex. *Collective*.
+/// *Collective*. uᵀKu of each column, J, which is twice the strain energy: ∫ ε : C : ε by the element's rule. As a sum
+/// of squares of strains its relative rounding error does not grow with the condition number of K, unlike that of a
+/// product with K; slender bodies and fine meshes keep the digits of their low eigenvalues. `u`: rows of owned
+/// vertices, 3 for each, m.
 Eigen::VectorXd strain_energies(const Problem& problem, mesh::VertexRef u);
 
 }  // namespace ritz::stages
