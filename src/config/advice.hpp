@@ -1,4 +1,4 @@
-// What a user of ritz-reduce and ritz-full can do where the method failed: in the words of their options.
+// What a user of ritz-reduce and ritz-full can do when the method fails, in terms of their options.
 #pragma once
 #include <functional>
 #include <string>
@@ -8,13 +8,13 @@
 
 namespace ritz::config {
 
-/// The error's message with the option that it is about before it, and behind it the options that help.
+/// The error's message, preceded by the option that it is about and followed by the options that help.
 std::string advised(const Error& error, const Config& config);
 
-/// What a program does with its options.
+/// The work of a program with its options.
 using Work = std::function<void(MPI_Comm comm, const Config& config)>;
 
-/// The same work, of which an InputError or a NumericalError goes on with its message so advised.
+/// The same work, whose InputErrors and NumericalErrors are rethrown with the advised message.
 Work with_advice(Work work);
 
 }  // namespace ritz::config

@@ -14,12 +14,12 @@ enum class Asked { run, help };
 struct CommandLine {
   Asked asked = Asked::run;
   Given given;
-  std::vector<std::filesystem::path> files;  ///< of options
+  std::vector<std::filesystem::path> files;  ///< the options files
 };
 
-/// Refuses words that are neither options nor their values, and reads every -options_file (.yml and .yaml: YAML). The
-/// command line wins over files, a file over those after it, a line over those before it. Throws InputError.
-/// *Collective*.
+/// *Collective*. Refuses words that are neither options nor their values, and reads every -options_file (.yml and
+/// .yaml: as YAML). The command line takes precedence over files, a file over files after it, a line over lines before
+/// it. Throws InputError.
 CommandLine read_command_line(MPI_Comm comm, int argc, char** argv);
 
 }  // namespace ritz::config

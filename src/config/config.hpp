@@ -1,4 +1,4 @@
-// Everything a run of ritz-reduce or ritz-full is told, as plain values.
+// All settings of a run of ritz-reduce or ritz-full, as plain values.
 #pragma once
 #include <mpi.h>
 
@@ -19,7 +19,7 @@
 
 namespace ritz::config {
 
-/// What the options say of a material; what they leave open is the mesh file's.
+/// The material that options give; the mesh file gives the rest.
 struct MaterialOptions {
   std::optional<std::string> law;                 ///< one of fem::law_names()
   std::optional<double> young, poisson, density;  ///< in the units of -units
@@ -29,25 +29,25 @@ enum class Solver { automatic, direct, iterative };
 enum class StoredRows { all, surface };
 enum class Goal { model, plan };
 enum class Voice { normal, quiet };
-/// Who said what a mesh's units are: the user, or nobody, so that they are SI by default.
+/// Whether the user gave the units of the mesh; if nobody did, they are SI by default.
 enum class UnitsOf { nobody, user };
 enum class Export { nothing, matrixmarket, petsc };
 
-/// What only ritz-full looks at.
+/// Settings of ritz-full alone.
 struct FullOptions {
   std::filesystem::path scene;
   std::optional<std::filesystem::path> restart;
   std::optional<std::int64_t> frames, every;
-  std::optional<std::filesystem::path> timing;  ///< a table of what each step cost
+  std::optional<std::filesystem::path> timing;  ///< table of the cost of each step
 };
 
-/// A basis chosen by its error on the static load path of a scene.
+/// The size of the basis is chosen by its error on the static load path of a scene.
 struct AccuracyOptions {
-  double target = 0;  ///< relative, in the M-norm
+  double target = 0;  ///< largest relative error, in the M-norm
   std::filesystem::path scene;
 };
 
-/// What becomes of the nonlinear forces.
+/// Whether the nonlinear forces are reduced.
 enum class ReducedForces { none, polynomial };
 
 enum class Program { reduce, full };
@@ -58,11 +58,11 @@ struct Config {
   std::vector<mesh::Fixed> supports;
   mesh::FileSupports file_supports = mesh::FileSupports::used;
   MaterialOptions material;                          ///< for every region
-  std::map<std::string, MaterialOptions> by_region;  ///< wins over `material`
+  std::map<std::string, MaterialOptions> by_region;  ///< takes precedence over `material`
   Solver solver = Solver::automatic;
   stages::ModesOptions modes;
-  std::optional<stages::BasisOptions> basis;  ///< absent: U is the modes
-  std::optional<AccuracyOptions> accuracy;    ///< chooses the basis's size
+  std::optional<stages::BasisOptions> basis;  ///< absent: U consists of the modes
+  std::optional<AccuracyOptions> accuracy;    ///< chooses the size of the basis
   std::optional<std::filesystem::path> snapshots;
   ReducedForces forces = ReducedForces::none;
   std::optional<std::filesystem::path> reuse;
@@ -71,21 +71,22 @@ struct Config {
   Voice voice = Voice::normal;
   Export exported = Export::nothing;
   std::filesystem::path output = "model.h5";
-  std::optional<std::filesystem::path> summary;     ///< what is printed, as numbers
-  std::vector<std::filesystem::path> option_files;  ///< that the command line names
+  std::optional<std::filesystem::path> summary;     ///< file for the results as numbers (JSON)
+  std::vector<std::filesystem::path> option_files;  ///< named on the command line
   FullOptions full;
-  std::vector<Option> reports;        ///< of solvers, and the log: options whose value is a file that they write
-  std::vector<std::string> warnings;  ///< of what was given and left unread
-  std::vector<std::pair<std::string, std::string>> resolved;  ///< every option as read or by default
+  std::vector<Option> reports;        ///< options of solvers, and of the log, whose value is a file that they write
+  std::vector<std::string> warnings;  ///< about settings that were given but are not read
+  std::vector<std::pair<std::string, std::string>> resolved;  ///< name and value of every option, defaults included
 };
 
-/// Reads and cross-checks the options of a program, hands those of solvers to these, and refuses what nobody reads; its
-/// sibling's are none of these. Throws InputError on all ranks alike. *Collective*.
+/// *Collective*. Reads and checks the options of a program, passes the options of solvers on to them, and refuses all
+/// others, including those of the other program. Throws InputError on all ranks.
 Config read_config(MPI_Comm comm, Given given, Program program = Program::reduce);
 
-/// The material of each region in SI: -material_REGION_* over -material_* over the mesh file's own; '_' may stand for a
-/// blank in REGION, which may also name a larger volume that the region lies in. Throws InputError for a region without
-/// a complete or with an impossible material, and for a region that does not exist or that cannot be told from another.
+/// The material of each region, in SI units: -material_REGION_* takes precedence over -material_*, and that over the
+/// mesh file. In REGION '_' may stand for a blank, and REGION may also be the name of a larger volume that contains the
+/// region. Throws InputError for a region whose material is incomplete or impossible, and for a region name that does
+/// not exist or is ambiguous.
 fem::Materials region_materials(const Config& config, const std::vector<mesh::Region>& regions);
 
 }  // namespace ritz::config

@@ -1,4 +1,4 @@
-// Typed reading of options, each error naming the option.
+// Typed reading of options. Each error names the option.
 #pragma once
 #include <limits>
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace ritz::config {
 
-/// Remembers what was read and what it came to.
+/// Reads options, and records the value of each, default or not.
 class Database {
  public:
   explicit Database(Given& given) : given_(given) {}
@@ -22,7 +22,7 @@ class Database {
   double real(const std::string& name, double fallback, double least, double most);
   std::optional<double> real(const std::string& name);
   bool flag(const std::string& name);
-  /// One of `words`; throws InputError naming the nearest.
+  /// The position of the option's value in `words`. Throws an InputError that names the nearest word.
   std::size_t choice(const std::string& name, const std::vector<std::string>& words, std::size_t fallback);
 
   const std::vector<std::pair<std::string, std::string>>& resolved() const { return resolved_; }

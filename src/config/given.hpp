@@ -1,4 +1,4 @@
-// The options of a run in words, wherever they were written; typed reading is Database's.
+// The options of a run as texts, wherever they were given. Database reads them as typed values.
 #pragma once
 #include <map>
 #include <optional>
@@ -7,24 +7,24 @@
 
 namespace ritz::config {
 
-/// A name of an option as it is compared.
+/// The name of an option in small letters, in which names are compared.
 std::string small_letters(std::string name);
 
-/// An option without its dash; an empty value: it stands alone.
+/// An option, its name without the dash; an empty value means an option without a value.
 struct Option {
   std::string name, value;
 };
 
-/// Each option once, and which of them were read. Names do not mind capitals.
+/// Holds each option once, and which of them were read. Names are not case-sensitive.
 class Given {
  public:
-  void put(const Option& option);  ///< in place of an earlier value
-  void add(const Option& option);  ///< unless there is a value already
+  void put(const Option& option);  ///< replaces an earlier value
+  void add(const Option& option);  ///< keeps an earlier value
 
-  /// The value of an option, which counts as read from here on.
+  /// The value of an option; from now on the option counts as read.
   std::optional<std::string> read(const std::string& name);
 
-  /// What nobody has read so far, by name.
+  /// The options that have not been read, by name.
   std::vector<Option> unread() const;
 
  private:

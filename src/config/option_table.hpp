@@ -1,4 +1,4 @@
-// Every option of ritz-reduce and ritz-full, once: what -help prints and what a misspelt option is compared with.
+// The table of all options of ritz-reduce and ritz-full: -help prints it, and misspelt options are compared with it.
 #pragma once
 #include <span>
 #include <string>

@@ -1,4 +1,5 @@
-// The text of an options file → its options, in the file's order. Serial; time and memory in proportion to the text.
+// Parses the text of an options file into options, in the order of the file. Serial; time and memory are proportional
+// to the length of the text.
 #pragma once
 #include <string>
 #include <string_view>
@@ -8,18 +9,18 @@
 
 namespace ritz::config {
 
-/// PETSc's own rule for what begins an option and is no value: a dash and then no digit.
+/// Whether a word is an option and not a value, by PETSc's rule: a dash that no digit follows.
 bool is_option(std::string_view word);
 
-/// Throws InputError where an options file names another one.
+/// Throws InputError when an options file names another options file.
 void refuse_file_in_file(const std::string& name, const std::string& place);
 
-/// An option a line, in words and quotes as a shell reads them. `file` is what errors call it. Throws InputError.
+/// Parses one option per line, with words and quotes as in a shell. `file` is the name for errors. Throws InputError.
 std::vector<Option> parse_plain_options(const std::string& text, const std::string& file);
 
-/// YAML: `name: value`; a mapping is a prefix, `material: {young: 1e9}` being -material_young; a sequence stands for
-/// its entries with commas between; what stands under a key that begins with $$ is left out, as by PETSc. There are no
-/// aliases, which a few lines can make endless. Throws InputError.
+/// Parses YAML. `name: value` is an option; a mapping is a prefix, so that `material: {young: 1e9}` is -material_young;
+/// a sequence is its entries separated by commas; what stands under a key that begins with $$ is skipped, as by PETSc.
+/// Aliases are refused, as a few lines of them can expand without end. Throws InputError.
 std::vector<Option> parse_yaml_options(const std::string& text, const std::string& file);
 
 }  // namespace ritz::config

@@ -1,4 +1,4 @@
-// The names of solver_options, by what they belong to.
+// The names of solver options, by kind.
 #pragma once
 #include <span>
 #include <string_view>
@@ -7,11 +7,11 @@
 
 namespace ritz::config {
 
-/// Every name behind every prefix; lists are parted by blanks.
+/// All combinations of these prefixes and names; lists are separated by blanks.
 struct SolverNames {
   SolverOption kind;
   std::string_view prefixes, names;
-  std::string_view words = "";  ///< the only values, where there is a list of them
+  std::string_view words = "";  ///< the only values allowed, if there is a list of them
 };
 
 std::span<const SolverNames> solver_names();

@@ -1,5 +1,5 @@
-// The options of PETSc and SLEPc that are let through to them: those named here and no other, for among the rest are
-// some that run commands, load libraries and write files.
+// The options of PETSc and SLEPc that are passed on to them: only those named here, because others can run commands,
+// load libraries or write files.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -13,28 +13,28 @@ namespace ritz::config {
 
 enum class SolverOption {
   setting,  ///< a number or a word, read where a solver is made
-  report,   ///< of what a solver did, to stdout or a file
-  mark      ///< to be printed at the end; it stands alone
+  report,   ///< a report of what a solver did, to stdout or a file
+  mark      ///< a report at the end of the run; the option has no value
 };
 
-/// What an option is to its solver; nothing where it is not let through.
+/// The kind of a solver option; nothing if it is not passed on.
 std::optional<SolverOption> solver_option(const std::string& name);
 
-/// Every name that is let through, for suggestions.
+/// The names of all options that are passed on, for suggestions.
 const std::vector<std::string>& solver_option_names();
 
-/// Throws InputError where the value of a setting is no number and no word, or names a solver that is not let through.
+/// Throws InputError when the value of a setting is neither a number nor a word, or names a solver that is not allowed.
 void check_setting(const Option& option);
 
-/// Where a report goes, and how PETSc's viewers call that.
+/// Where a report goes, and the name that PETSc's viewers have for that.
 struct Report {
   std::filesystem::path file;  ///< empty: stdout
-  std::string format;          ///< PETSc's name of the layout; empty: the usual one
+  std::string format;          ///< PETSc's name of the format; empty: the default
   std::string viewer;
 };
 
-/// "", "stdout", "ascii", ":FILE", "ascii:FILE:FORMAT[:append]"; FORMAT is one of `formats`, FILE a plain name, for
-/// PETSc hands some names to a shell. Throws InputError for anything else.
+/// Parses "", "stdout", "ascii", ":FILE" or "ascii:FILE:FORMAT[:append]". FORMAT is one of `formats`; FILE is a plain
+/// name, because PETSc passes some names to a shell. Throws InputError for anything else.
 Report parse_report(const Option& option, const std::vector<std::string>& formats);
 
 }  // namespace ritz::config

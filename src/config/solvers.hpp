@@ -1,4 +1,4 @@
-// What of the options goes to the solvers of PETSc and SLEPc.
+// Passes options on to the solvers of PETSc and SLEPc.
 #pragma once
 #include <mpi.h>
 
@@ -8,16 +8,16 @@
 
 namespace ritz::config {
 
-/// Whether an option hands the modes to SLEPc.
+/// Whether an option makes SLEPc compute the modes.
 bool is_slepc(const Option& option);
 
-/// The options that solvers read for themselves, as they were given. Throws InputError for what they would read but
-/// that ritz does not do.
+/// The options that solvers read themselves, as given. Throws InputError for those that they would read but that ritz
+/// does not support.
 std::vector<Option> solver_options_given(const Given& given);
 
-/// Hands what nobody has read so far to the solvers, where it is theirs, and checks all of it before any report is
-/// asked for. Returns the reports that go to files, each with its file. Throws InputError for the first option that
-/// nobody reads, naming the nearest real one. *Collective*.
+/// *Collective*. Passes all options that have not been read to the solvers they belong to, and checks all of them
+/// before any report is requested. Returns the reports that go to files, each with its file. Throws InputError for the
+/// first option that nobody reads, naming the nearest existing one.
 std::vector<Option> hand_to_solvers(MPI_Comm comm, Given& given);
 
 }  // namespace ritz::config

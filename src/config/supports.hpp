@@ -1,4 +1,4 @@
-// The words of -fix.
+// Parses the value of -fix.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -11,12 +11,13 @@ namespace ritz::config {
 
 struct Supports {
   std::vector<mesh::Fixed> fixed;
-  std::vector<std::filesystem::path> vertex_lists;  ///< .bou files; each stands among `fixed` as a set of its name
+  std::vector<std::filesystem::path>
+      vertex_lists;  ///< .bou files; `fixed` contains each as a set with its path as name
 };
 
-/// "SET[:xyz],…", "FILE.bou", "box:x0,x1,y0,y1,z0,z1[:xyz]", or a list of these separated by commas; "none" holds
-/// nothing. A SET may stand in double quotes, within which ':' and ',' are its own. Lengths of boxes are in `units`.
-/// Throws InputError.
+/// Parses "SET[:xyz],…", "FILE.bou", "box:x0,x1,y0,y1,z0,z1[:xyz]" or a list of these separated by commas; "none" fixes
+/// nothing. A SET may be in double quotes, within which ':' and ',' are ordinary characters. Box coordinates are in
+/// `units`. Throws InputError.
 Supports parse_supports(const std::string& text, const mesh::Units& units);
 
 }  // namespace ritz::config

@@ -1,4 +1,5 @@
-// Small collective verbs over MPI. Everything here is *Collective* on the communicator that it is given.
+// Collective operations over MPI. Everything here is *Collective* on the communicator that is passed, except rank and
+// size.
 #pragma once
 #include <mpi.h>
 
@@ -18,8 +19,8 @@ namespace ritz::parallel {
 int rank(MPI_Comm comm);
 int size(MPI_Comm comm);
 
-/// Whether all ranks say yes. A rank that says no, because something failed there, waits for the others for seconds
-/// only; what is left to one that is alone is MPI_Abort.
+/// Whether all ranks pass true. A rank that passes false, because something failed there, waits only seconds for the
+/// others; if they do not come it gets Vote::alone, and can only call MPI_Abort.
 Vote vote(MPI_Comm comm, bool yes) noexcept;
 
 template <class T>
@@ -39,6 +40,7 @@ T reduce(MPI_Comm comm, T value, MPI_Op op) {
   return result;
 }
 
+/// The sum, the minimum and the maximum over all ranks, replicated.
 template <class T>
 T sum(MPI_Comm comm, T value) {
   return reduce(comm, value, MPI_SUM);
@@ -52,7 +54,7 @@ T max(MPI_Comm comm, T value) {
   return reduce(comm, value, MPI_MAX);
 }
 
-/// The sum of `value` over all lower ranks.
+/// The sum of `value` over all lower ranks; 0 on rank 0.
 template <class T>
 T sum_before(MPI_Comm comm, T value) {
   T result{};
@@ -60,9 +62,10 @@ T sum_before(MPI_Comm comm, T value) {
   return rank(comm) == 0 ? T{} : result;
 }
 
-/// Adds a matrix of the same shape over all ranks, in place.
+/// m := the sum of m over all ranks; the shape is the same on all.
 void sum_in_place(MPI_Comm comm, Eigen::Ref<Eigen::MatrixXd> m);
 
+/// Copies the value of rank `root` to all ranks.
 template <class T>
 void broadcast(MPI_Comm comm, std::vector<T>& values, int root = 0) {
   auto n = static_cast<std::int64_t>(values.size());
@@ -74,7 +77,7 @@ void broadcast(MPI_Comm comm, std::vector<T>& values, int root = 0) {
 void broadcast(MPI_Comm comm, std::string& text, int root = 0);
 void broadcast(MPI_Comm comm, std::vector<std::string>& texts, int root = 0);
 
-/// All ranks' values, one after another in the order of ranks.
+/// The values of all ranks, concatenated in the order of ranks.
 template <class T>
 std::vector<T> gather_all(MPI_Comm comm, const std::vector<T>& mine) {
   const int n = static_cast<int>(mine.size());
@@ -90,7 +93,7 @@ std::vector<T> gather_all(MPI_Comm comm, const std::vector<T>& mine) {
   return all;
 }
 
-/// Sends outgoing[p] to rank p; returns what each rank sent here, by rank.
+/// Sends outgoing[p] to rank p, and returns what each rank sent here: entry p comes from rank p.
 template <class T>
 std::vector<std::vector<T>> exchange(MPI_Comm comm, const std::vector<std::vector<T>>& outgoing) {
   const auto ranks = outgoing.size();

@@ -1,4 +1,4 @@
-// One text file that all ranks write.
+// A text file that all ranks write.
 #pragma once
 #include <mpi.h>
 
@@ -9,22 +9,23 @@
 
 namespace ritz::parallel {
 
-/// Text in the order of ranks, in a file of rank 0's. No rank holds more than a piece of it at a time.
+/// Text in the order of ranks, in a file that rank 0 writes. No rank holds more than a piece of it at a time.
 class RankedText {
  public:
   RankedText(MPI_Comm comm, const std::filesystem::path& path);
 
-  /// What rank 0 says here stands before all that is added from now on; the others' is not looked at.
+  /// Adds text of rank 0 before everything that is added from now on; the argument of the other ranks is ignored.
   void header(const std::string& text);
 
-  /// A number in the shortest digits that give it again, and a character after it.
+  /// Adds a number, in the shortest digits that are read back as the same double, and the character `after`.
   void add(double value, char after);
   void add(std::integral auto value, char after) { append(std::to_string(value) + after); }
 
-  /// This rank has added its part: the next rank's follows, and then the next part. *Collective*.
+  /// *Collective*. Ends a part, to which each rank has added its text: the ranks' texts follow one another, and the
+  /// next part follows them.
   void end_part();
 
-  /// Throws NumericalError on all ranks when the disk did not take everything. *Collective*.
+  /// *Collective*. Closes the file. Throws NumericalError on all ranks when the disk did not take everything.
   void close();
 
  private:

@@ -7,16 +7,18 @@
 
 namespace ritz::petsc {
 
-/// Throws NumericalError with PETSc's own message when `code` is an error, std::bad_alloc when memory ran out.
+/// Throws NumericalError with PETSc's own message when `code` is an error, and std::bad_alloc when it means that memory
+/// ran out.
 void check(PetscErrorCode code);
 
-/// Installs the handler that keeps PETSc's message for `check` in place of printing a stack trace.
+/// Installs the error handler that keeps PETSc's message for `check` instead of printing a stack trace.
 void keep_messages();
 
-/// Runs a call whose failure is expected and only of interest as yes or no.
+/// Whether a call succeeded, for calls that are expected to fail.
 bool succeeds(PetscErrorCode code);
 
-/// Throws InputError, "`what`, more than ...", where PETSc's integers cannot count so many. The same on all ranks.
+/// Throws InputError, "`what`, more than ...", when `count` exceeds the range of PETSc's integers. `count` must be the
+/// same on all ranks.
 void refuse_beyond_index(const std::string& what, std::int64_t count);
 
 }  // namespace ritz::petsc

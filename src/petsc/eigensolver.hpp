@@ -1,4 +1,4 @@
-// SLEPc's eigensolver for Kψ = λMψ, smallest λ first.
+// SLEPc's eigensolver for the smallest λ of Kψ = λMψ.
 #pragma once
 #include "ritz/petsc/multivector.hpp"
 
@@ -10,12 +10,13 @@ struct EigenPairs {
   int iterations = 0;
 };
 
-/// Krylov-Schur under shift-invert about `shift`, MUMPS Cholesky inside. `deflated`: M-orthonormal columns to keep
-/// out. Options under modes_ reach EPS, ST, KSP and PC. Returns what converged, at most `wanted`. *Collective*.
+/// *Collective*. Krylov-Schur with shift-invert about `shift`, by MUMPS's Cholesky factorization. `deflated` are
+/// M-orthonormal columns to which the search stays orthogonal. Options with the prefix modes_ reach EPS, ST, KSP and
+/// PC. Returns the pairs that converged, at most `wanted`.
 EigenPairs krylov_schur(Mat K, Mat M, double shift, const ConstTallRef& deflated, int wanted, double tolerance);
 
-/// Sets the solver above up once on a tiny problem, so that every option that it would read counts as read, and those
-/// that do not go together are found. *Collective*.
+/// *Collective*. Sets the solver above up on a tiny problem, so that all options that it would read count as read, and
+/// incompatible ones are found.
 void read_eigensolver_options(MPI_Comm comm);
 
 }  // namespace ritz::petsc

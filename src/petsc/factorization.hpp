@@ -1,4 +1,4 @@
-// A sparse LDLᵀ factorization by MUMPS that solves blocks of right-hand sides and counts negative pivots.
+// A sparse LDLᵀ factorization by MUMPS, which solves blocks of right-hand sides and counts negative pivots.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -8,7 +8,8 @@
 
 namespace ritz::petsc {
 
-/// What the analysis says before any number is factored (summed over ranks; the largest rank for memory_rank).
+/// The estimate of the symbolic analysis, before any number is factored: sums over ranks; the largest rank for
+/// memory_rank.
 struct FactorEstimate {
   double flops = 0;
   double entries = 0;       ///< of the factor
@@ -16,31 +17,32 @@ struct FactorEstimate {
   double memory_total = 0;  ///< bytes
 };
 
-/// Of A = K − σM: one symbolic analysis, any number of shifts σ.
+/// The factorization of A = K − σM: one symbolic analysis for any number of shifts σ.
 class Factorization {
  public:
-  /// Options are read under `prefix` (…ksp_, …pc_, …mat_mumps_). *Collective*.
+  /// *Collective*. Options with this prefix are read (…ksp_, …pc_, …mat_mumps_).
   Factorization(MPI_Comm comm, const std::string& prefix);
 
-  /// The analysis alone. The pattern of K is what counts. *Collective*.
+  /// *Collective*. Runs the symbolic analysis alone; only the pattern of K matters.
   FactorEstimate analyse(Mat K);
 
-  /// Factors K − σM; M's pattern lies within K's, and K's pattern is that of all earlier calls. More workspace is given
-  /// when MUMPS asks for it. Throws NumericalError that names the matrix when the factorization fails. *Collective*.
+  /// *Collective*. Factors K − σM. The pattern of M must lie within that of K, which must be the same in all calls. If
+  /// MUMPS needs more workspace, it gets more. Throws a NumericalError that names the matrix when the factorization
+  /// fails.
   void factor(Mat K, Mat M, double sigma);
 
-  /// x = A⁻¹ b for all columns, in blocks. b and x may be the same. Throws std::bad_alloc where MUMPS has no memory for
-  /// it. *Collective*.
+  /// *Collective*. x = A⁻¹ b for all columns, in blocks. b and x may be the same. Throws std::bad_alloc when MUMPS runs
+  /// out of memory.
   void solve(const ConstTallRef& b, TallRef x) const;
 
-  /// How many eigenvalues of the factored matrix are negative (Sylvester's law of inertia). *Collective*.
+  /// *Collective*. The number of negative eigenvalues of the factored matrix (Sylvester's law of inertia).
   std::int64_t negative_pivots() const;
 
  private:
   MPI_Comm comm_;
   Solver ksp_;
   Matrix shifted_;
-  PetscInt margin_ = 0;  ///< MUMPS's spare workspace in percent; 0: its own choice
+  PetscInt margin_ = 0;  ///< spare workspace of MUMPS in percent; 0: MUMPS's default
 
   Mat prepared();
 };

@@ -7,8 +7,8 @@
 
 namespace ritz::petsc {
 
-/// Cuts a graph, given by this rank's slice of its rows in compressed form, into one part a rank with PT-Scotch.
-/// Returns the part of each row of the slice. *Collective*.
+/// *Collective*. Partitions a graph by PT-Scotch into as many parts as ranks. Each rank passes its slice of the rows in
+/// compressed form, and gets the part of each of these rows.
 std::vector<std::int32_t> partition_graph(MPI_Comm comm, const std::vector<PetscInt>& starts,
                                           const std::vector<PetscInt>& columns, PetscInt total);
 

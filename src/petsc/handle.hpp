@@ -1,4 +1,4 @@
-// Owners of PETSc and SLEPc objects: move-only, the raw handle reachable; and whose they are.
+// Move-only owners of PETSc and SLEPc objects, which convert to the raw handles.
 #pragma once
 #include <petscksp.h>
 #include <petscsf.h>
@@ -14,8 +14,9 @@
 
 namespace ritz::petsc {
 
-/// Whether an exception that this rank alone has thrown passes by a solver, whose factorization can be destroyed by all
-/// ranks together only: it is left to the end of the process then. Waits for the other ranks for seconds.
+/// Whether a solver must not be destroyed because an exception was thrown on this rank alone: its factorization can
+/// only be destroyed by all ranks together, and so it is left to the end of the process. Waits only seconds for the
+/// other ranks.
 template <class T>
 bool left_alone(T object) {
   if constexpr (std::is_same_v<T, KSP> || std::is_same_v<T, SNES> || std::is_same_v<T, EPS>)
@@ -24,7 +25,7 @@ bool left_alone(T object) {
   return false;
 }
 
-/// Owns one reference. Copies are not made; the handle converts to the raw type for PETSc's own functions.
+/// Owns one reference and destroys it at the end; converts to the raw type for PETSc's own functions.
 template <class T, PetscErrorCode (*destroy)(T*)>
 class Handle {
  public:
@@ -41,7 +42,7 @@ class Handle {
   operator T() const { return object_; }
   T get() const { return object_; }
 
-  /// Where a PETSc "create" function puts the new object; what was held is destroyed first.
+  /// The place into which a PETSc "create" function writes the new object; the previous object is destroyed first.
   T* out() {
     if (object_) destroy(&object_);
     return &object_;
@@ -58,7 +59,7 @@ inline PC preconditioner(KSP ksp) {
   return pc;
 }
 
-/// The ranks that share a matrix.
+/// The communicator of a matrix.
 inline MPI_Comm comm_of(Mat A) { return PetscObjectComm(reinterpret_cast<PetscObject>(A)); }
 
 using Matrix = Handle<Mat, MatDestroy>;

@@ -1,4 +1,4 @@
-// One multigrid cycle as a preconditioner for blocks of vectors.
+// A multigrid cycle as a preconditioner for blocks of vectors.
 #pragma once
 #include <memory>
 #include <string>
@@ -10,18 +10,18 @@
 namespace ritz::petsc {
 
 /// A symmetric V-cycle on the levels of smoothed aggregation (PETSc's GAMG) for a symmetric positive definite matrix:
-/// Chebyshev-Jacobi smoothing of degree 2, eight vectors at a time, a dense solve on the coarsest level.
+/// Chebyshev-Jacobi smoothing of degree 2 on eight vectors at a time, and a dense solve on the coarsest level.
 class Multigrid {
  public:
-  /// `near_null` spans what smoothing cannot reduce: the rigid motions. Options are read under `prefix` (…pc_gamg_).
-  /// A must outlive this. *Collective*.
+  /// *Collective*. `near_null` spans what smoothing cannot reduce, the rigid motions. Options with this prefix are read
+  /// (…pc_gamg_). A must outlive this object.
   Multigrid(Mat A, const ConstTallRef& near_null, const std::string& prefix);
   ~Multigrid();
 
-  /// z ≈ A⁻¹ r for all columns. *Collective*.
+  /// *Collective*. z ≈ A⁻¹ r for all columns.
   void apply(const ConstTallRef& r, TallRef z) const;
 
-  /// Levels, the dense one too.
+  /// The number of levels, including the dense one.
   int levels() const;
 
  private:
@@ -35,7 +35,7 @@ class Multigrid {
   std::unique_ptr<Coarsest> coarsest_;
 };
 
-/// Tells GAMG what the coarse levels must represent. *Collective*.
+/// *Collective*. Attaches to A the vectors that GAMG's coarse levels must represent.
 void attach_near_null(Mat A, const ConstTallRef& columns);
 
 }  // namespace ritz::petsc

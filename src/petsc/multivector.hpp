@@ -10,7 +10,7 @@
 
 namespace ritz::petsc {
 
-/// This rank's rows of a tall matrix, column-major; the columns are whole on each rank.
+/// This rank's rows of a tall matrix, column-major. All ranks have the same number of columns.
 using Tall = Eigen::MatrixXd;
 using TallRef = Eigen::Ref<Eigen::MatrixXd>;
 using ConstTallRef = Eigen::Ref<const Eigen::MatrixXd>;
@@ -19,32 +19,32 @@ using ConstTallRef = Eigen::Ref<const Eigen::MatrixXd>;
 void multiply(Mat A, const ConstTallRef& x, TallRef y);
 Tall multiply(Mat A, const ConstTallRef& x);
 
-/// xᵀ y (small, the same on all ranks). *Collective*.
+/// *Collective*. xᵀ y, a small matrix, replicated on all ranks.
 Eigen::MatrixXd inner(MPI_Comm comm, const ConstTallRef& x, const ConstTallRef& y);
 
-/// x c, and y -= x c: combinations of columns by BLAS.
+/// x c, and y -= x c: linear combinations of columns by BLAS, on this rank's rows.
 Tall combine(const ConstTallRef& x, const Eigen::MatrixXd& c);
 void subtract(TallRef y, const ConstTallRef& x, const Eigen::MatrixXd& c);
 
-/// x ← x L⁻ᵀ of a Gram matrix xᵀMx = L Lᵀ: the columns become M-orthonormal. A rank may have no rows.
+/// x := x L⁻ᵀ for the Gram matrix xᵀMx = L Lᵀ, which makes the columns M-orthonormal. A rank may have no rows.
 void normalise(TallRef x, const Eigen::LLT<Eigen::MatrixXd>& gram);
 
-/// Column norms ‖x_j‖₂. *Collective*.
+/// *Collective*. The norms ‖x_j‖₂ of the columns.
 Eigen::VectorXd column_norms(MPI_Comm comm, const ConstTallRef& x);
 
-/// The local rows x (contiguous columns) seen as a dense PETSc matrix; x must outlive it.
+/// A dense PETSc matrix that shares the memory of the local rows x (contiguous columns); x must outlive it.
 Matrix as_dense(MPI_Comm comm, TallRef x);
 
-/// Copies of the columns as PETSc vectors that fit A. *Collective*.
+/// *Collective*. The columns, copied into PETSc vectors that are compatible with A.
 std::vector<Vector> as_vectors(Mat A, const ConstTallRef& x);
 
-/// M-orthonormalises x against the M-orthonormal columns of `against` (may have none) and within itself: twice, and
-/// once more where much was taken away in the second pass. Directions whose M-norm falls below `drop` times what it was
-/// are removed: returns how many columns are left (they stand first). *Collective*.
+/// *Collective*. M-orthonormalises x against the M-orthonormal columns of `against` (which may have none) and within
+/// itself: in two passes, and a third if the second still removed much. Columns whose M-norm falls below `drop` times
+/// its initial value are removed. Returns the number of columns that are left; they come first.
 int orthonormalise(Mat M, const ConstTallRef& against, TallRef x, double drop = 1e-10);
 
-/// values.row(i) is added to row numbers[i] (global) of a tall matrix of which this rank owns `owned` rows; returns the
-/// owned rows. *Collective*.
+/// *Collective*. Adds values.row(i) to row numbers[i] (global) of a tall matrix of which this rank owns `owned` rows;
+/// returns the owned rows.
 Tall accumulate(MPI_Comm comm, std::span<const std::int64_t> numbers, const ConstTallRef& values, int owned);
 
 }  // namespace ritz::petsc

@@ -1,23 +1,24 @@
-// What this project asks of MUMPS, wherever PETSc calls it.
+// The settings of MUMPS, wherever PETSc calls it.
 #pragma once
 #include <petscksp.h>
 
 namespace ritz::petsc {
 
-/// LDLᵀ by MUMPS as the preconditioner of `ksp`. *Collective*.
+/// *Collective*. Makes LDLᵀ by MUMPS the preconditioner of `ksp`.
 void use_mumps(KSP ksp);
 
-/// The factor that `ksp`, which has its operator, makes, or null where the user's options chose another package.
-/// *Collective*.
+/// *Collective*. The factor that `ksp`, whose operator is set, will compute; null if the user's options chose another
+/// package.
 Mat mumps_factor(KSP ksp);
 
-/// Before the factorization: no parallel root, which would hide its pivots' signs from the inertia, and `spare` percent
-/// more workspace than foreseen (0: MUMPS's own choice). The user's own ICNTL(14) wins. *Collective*.
+/// *Collective*. To be called before the factorization. Switches off the parallel root, which would hide the signs of
+/// its pivots from the inertia, and sets `spare` percent of extra workspace (0: MUMPS's default). The user's own
+/// ICNTL(14) takes precedence.
 void prepare_mumps(Mat F, PetscInt spare);
 
 enum class MumpsFailure { memory, workspace, other };
 
-/// Why the factorization into F failed: no memory; too little workspace, which more of it (ICNTL(14)) helps; else.
+/// Why the factorization into F failed: `memory`, `workspace` (which a larger ICNTL(14) cures) or `other`.
 MumpsFailure mumps_failure(Mat F);
 
 }  // namespace ritz::petsc

@@ -1,4 +1,4 @@
-// Newton's method by PETSc's SNES for equations with a symmetric Jacobian.
+// Newton's method, by PETSc's SNES, for equations with a symmetric Jacobian.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -9,15 +9,15 @@
 namespace ritz::petsc {
 
 enum class LinearSolver {
-  direct,    ///< MUMPS LDLᵀ, which an indefinite Jacobian does not trouble
-  iterative  ///< CG with GAMG; FGMRES where the Jacobian turns out indefinite
+  direct,    ///< MUMPS's LDLᵀ, which also handles an indefinite Jacobian
+  iterative  ///< CG with GAMG; FGMRES if the Jacobian is found to be indefinite
 };
 
-/// r(x) = 0. All functions are *Collective*.
+/// The equations r(x) = 0. All functions are *Collective*.
 struct Equations {
   std::function<void(const Tall& x, Tall& r)> residual;
-  std::function<void(const Tall& x)> tangent;     ///< fills the matrix that Newton was made with
-  std::function<double(const Tall& x)> rounding;  ///< ‖r‖ that rounding alone can make near x
+  std::function<void(const Tall& x)> tangent;     ///< fills the matrix that was given to Newton with dr/dx
+  std::function<double(const Tall& x)> rounding;  ///< the size of ‖r‖ that rounding errors alone cause near x
 };
 
 enum class Convergence { converged, failed };
@@ -27,31 +27,33 @@ struct NewtonOutcome {
   int iterations = 0;
   int factorizations = 0;  ///< of Jacobians, or set-ups of multigrid for one
   double residual = 0;     ///< ‖r‖ at the end
-  std::string reason;      ///< PETSc's word for how it ended
+  std::string reason;      ///< PETSc's name of the reason why it ended
 };
 
-/// What one linear solve found.
+/// The result of one linear solve.
 struct LinearAnswer {
   Tall x;
-  bool indefinite = false;  ///< the matrix, or what CG is preconditioned with, is not positive definite
+  bool indefinite = false;  ///< the matrix, or the preconditioner of CG, is not positive definite
 };
 
 class Newton {
  public:
-  /// `jacobian` must outlive this. `near_null` spans what multigrid's smoothing cannot reduce (iterative; else no
-  /// columns). Options are read under newton_ (SNES), solve_ (KSP, PC and MUMPS) and multigrid_ (GAMG).
+  /// `jacobian` must outlive this object. `near_null` spans what the smoothing of multigrid cannot reduce (for the
+  /// iterative solver; else no columns). Options are read with the prefixes newton_ (SNES), solve_ (KSP, PC and MUMPS)
+  /// and multigrid_ (GAMG).
   Newton(Mat jacobian, LinearSolver solver, const ConstTallRef& near_null);
 
-  /// From x on, until ‖r‖ ≤ tolerance·scale or, where rounding makes more than that, ≤ what rounding makes. x is
-  /// changed whether or not it converged. Rethrows what the equations throw. *Collective*.
+  /// *Collective*. Iterates from x until ‖r‖ ≤ tolerance·scale or, if rounding errors exceed that, until ‖r‖ ≤
+  /// rounding(x). x is changed whether or not the iteration converges. Rethrows what the equations throw.
   NewtonOutcome solve(const Equations& equations, double tolerance, double scale, Tall& x);
 
-  /// Negative eigenvalues of the last Jacobian that was factored; 0 without a factorization. *Collective*.
+  /// *Collective*. The number of negative eigenvalues of the last Jacobian that was factored; 0 without a
+  /// factorization.
   std::int64_t negative_pivots() const;
 
-  /// J x = b by the Jacobian's values of now; x is not finite where that failed. That J is indefinite is told by the
-  /// inertia of its factorization, or by CG where it meets a direction of negative curvature, or by xᵀJx = xᵀb < 0.
-  /// *Collective*.
+  /// *Collective*. Solves J x = b with the present values of the Jacobian; on failure x is not finite. J counts as
+  /// indefinite by the inertia of its factorization, or when CG meets a direction of negative curvature, or when xᵀJx =
+  /// xᵀb < 0.
   LinearAnswer solve_linear(const Tall& b);
 
   SNES snes() const { return snes_; }
@@ -60,10 +62,10 @@ class Newton {
   NonlinearSolver snes_;
   Mat jacobian_;
   LinearSolver solver_;
-  PetscInt spare_ = 50;  ///< percent of workspace that MUMPS gets beyond what it foresees
+  PetscInt spare_ = 50;  ///< extra workspace of MUMPS in percent
 };
 
-/// Makes the solver once on nothing, so that every option under newton_ counts as read. *Collective*.
+/// *Collective*. Sets a solver up without equations, so that every option with the prefix newton_ counts as read.
 void read_newton_options(MPI_Comm comm);
 
 }  // namespace ritz::petsc

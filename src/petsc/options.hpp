@@ -1,5 +1,4 @@
-// What of PETSc's options database ritz fills and asks: options of solvers alone, which the config layer has let
-// through.
+// Access to PETSc's options database. Only options of solvers that the config layer admits are put into it.
 #pragma once
 #include <mpi.h>
 
@@ -8,23 +7,24 @@
 
 namespace ritz::petsc {
 
-/// Sets option `name` (without its dash); an empty value: it stands alone.
+/// Sets option `name` (without its dash); an empty value means an option without a value.
 void set_option(const std::string& name, const std::string& value);
 
-/// Takes an option out again.
+/// Removes an option.
 void clear_option(const std::string& name);
 
-/// Options that were set and that no solver has read so far, without their dash.
+/// The options that were set but have not been read by any solver, without their dash.
 std::vector<std::string> unread_options();
 
-/// How -log_view shows the stages: as tables, or nested in one another (the formats ascii_xml and ascii_flamegraph).
+/// How -log_view shows the stages: as flat tables, or nested in one another (the formats ascii_xml and
+/// ascii_flamegraph).
 enum class Log { flat, nested };
 
-/// Begins to time the stages.
+/// Starts the timing of stages.
 void begin_log(Log log);
 
-/// Lets the factorization, or the multigrid, under `prefix` read its options on a tiny matrix, so that they count as
-/// read. *Collective*.
+/// *Collective*. Sets a factorization, or multigrid, up on a tiny matrix, so that its options with this prefix count as
+/// read.
 void read_factorization_options(MPI_Comm comm, const std::string& prefix);
 void read_multigrid_options(MPI_Comm comm, const std::string& prefix);
 

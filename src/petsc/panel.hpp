@@ -1,4 +1,4 @@
-// Eight vectors side by side: a matrix product reads each of its non-zeros once for all of them.
+// Products with eight vectors at once: each non-zero of the matrix is read once for all of them.
 #pragma once
 #include <Eigen/Core>
 
@@ -10,10 +10,11 @@ namespace ritz::petsc {
 
 inline constexpr int panel_width = 8;
 
-/// This rank's rows of eight vectors, one row's eight numbers after the other.
+/// This rank's rows of eight vectors, row-major: the eight numbers of a row are adjacent.
 using Panel = Eigen::Matrix<double, Eigen::Dynamic, panel_width, Eigen::RowMajor>;
 
-/// Calls `op(from, to)`, panels that fit x and y, for each eight columns of x and stores what it leaves in `to`.
+/// Calls `op(from, to)` for each group of eight columns of x, and stores the panel `to` that it computes in the same
+/// columns of y. The panels have as many rows as x and y.
 template <class Op>
 void each_panel(const ConstTallRef& x, TallRef y, Op op) {
   Panel from = Panel::Zero(x.rows(), panel_width), to(y.rows(), panel_width);
@@ -25,17 +26,17 @@ void each_panel(const ConstTallRef& x, TallRef y, Op op) {
   }
 }
 
-/// y = A x on panels, for an AIJ matrix, which must outlive this and keep its pattern. The plan of what ranks exchange
-/// is made once and stays with the matrix.
+/// The product y = A x on panels, for an AIJ matrix, which must outlive this object and keep its pattern. The
+/// communication plan is made once and stays with the matrix.
 class PanelProduct {
  public:
   /// *Collective*.
   explicit PanelProduct(Mat A);
 
-  /// y = A x. x and y must not be the same. *Collective*.
+  /// *Collective*. y = A x. x and y must not be the same.
   void apply(const Panel& x, Panel& y);
 
-  /// y -= A x. *Collective*.
+  /// *Collective*. y -= A x.
   void subtract(const Panel& x, Panel& y);
 
   PetscInt rows() const { return rows_; }
@@ -52,7 +53,7 @@ class PanelProduct {
 
   PetscInt rows_ = 0;
   Part own_, other_;            ///< columns that this rank owns; those of other ranks
-  PetscSF exchange_ = nullptr;  ///< brings the rows of x that other ranks own; the matrix holds it
+  PetscSF exchange_ = nullptr;  ///< gets the rows of x that other ranks own; owned by the matrix
   Panel ghosts_;
 };
 

@@ -1,16 +1,16 @@
-// How fast this machine is, measured in a moment.
+// The speed of this machine, from short measurements.
 #pragma once
 #include "ritz/petsc/handle.hpp"
 
 namespace ritz::petsc {
 
-/// Floating point operations a second of the loaded BLAS's dgemm on one rank.
+/// Floating point operations per second of the loaded BLAS's dgemm on one rank.
 double dgemm_rate();
 
-/// Bytes a second that one rank reads from memory.
+/// Bytes per second that one rank reads from memory.
 double memory_rate();
 
-/// Seconds that A takes for eight columns at once. *Collective*.
+/// *Collective*. The time of a product of A with eight columns, s.
 double panel_seconds(Mat A);
 
 }  // namespace ritz::petsc

@@ -1,4 +1,4 @@
-// Matrices as files of other programs.
+// Writes matrices in formats of other programs.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -10,12 +10,13 @@ namespace ritz::petsc {
 
 enum class MatrixFormat { matrixmarket, petsc_binary };
 
-/// Writes A with rows and columns in the order of `order` (this rank's share of the new order, as old global numbers).
-/// Text has the shortest digits that give the same numbers again. Throws NumericalError on all ranks. *Collective*.
+/// *Collective*. Writes A with its rows and columns in the order `order`, of which each rank passes its share as old
+/// global numbers. Numbers in text have the shortest digits that are read back as the same double. Throws
+/// NumericalError on all ranks when the disk does not take the file.
 void write_matrix(const std::filesystem::path& path, Mat A, const std::vector<std::int64_t>& order,
                   MatrixFormat format);
 
-/// Writes a tall matrix, dense, with its rows in that order. *Collective*.
+/// *Collective*. Writes a tall matrix as a dense one, with its rows in that order. Throws as above.
 void write_columns(const std::filesystem::path& path, MPI_Comm comm, Tall columns,
                    const std::vector<std::int64_t>& order, MatrixFormat format);
 
