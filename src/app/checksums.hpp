@@ -1,4 +1,4 @@
-// What a model was computed from, as two short words.
+// Checksums of what a model is computed from.
 #pragma once
 #include <mpi.h>
 
@@ -12,9 +12,10 @@
 
 namespace ritz::app {
 
+/// The checksums of the mesh, and of the mesh with its materials and supports.
 model::Checksums checksums(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const fem::Materials& materials);
 
-/// Of the bytes of a file that rank 0 reads. Throws InputError when it cannot be read. *Collective*.
+/// *Collective*. The checksum of the bytes of a file, which rank 0 reads. Throws InputError when it cannot be read.
 std::string file_checksum(MPI_Comm comm, const std::filesystem::path& file);
 
 }  // namespace ritz::app

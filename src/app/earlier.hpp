@@ -1,4 +1,4 @@
-// -reuse: what an earlier run of the same problem gives to this one.
+// -reuse: what this run takes from the model of an earlier run of the same problem.
 #pragma once
 #include <optional>
 
@@ -10,20 +10,20 @@
 
 namespace ritz::app {
 
-/// A basis as it stands in a model, and the figures of the modes that it was made from, whose vectors are not stored.
+/// A basis as stored in a model, and the figures of the modes from which it was made, whose vectors are not stored.
 struct FinishedBasis {
   stages::ModesResult modes;
   ReducedBasis reduced;
 };
 
 struct Earlier {
-  mesh::FreeRows modes;  ///< flexible modes to begin with, over free degrees of freedom; or no columns
+  mesh::FreeRows modes;  ///< flexible modes to start from, over free degrees of freedom; or no columns
   std::optional<FinishedBasis> basis;
 };
 
-/// What the model that -reuse names gives, where its mesh, materials and supports have the same checksums: its modes
-/// where it is linear; its basis where the options that made it are those of this run. Nothing otherwise, with a
-/// warning that says why. Throws InputError for a file that is no model. *Collective*.
+/// *Collective*. What the model named by -reuse provides, if its mesh, materials and supports have the same checksums:
+/// its modes, if it is linear; its basis, if it was made with the options of this run. Otherwise nothing, and a warning
+/// that says why. Throws InputError for a file that is not a model.
 Earlier reuse(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
               const fem::Materials& materials, const stages::ModesOptions& options, Progress& progress);
 

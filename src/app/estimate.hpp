@@ -1,4 +1,5 @@
-// What the stages of a run would need, before they run: their work, counted, over the measured speed of the machine.
+// Estimates of what the stages of a run need: their operations are counted, and divided by the measured speed of the
+// machine.
 #pragma once
 #include <optional>
 #include <string>
@@ -11,34 +12,34 @@
 
 namespace ritz::app {
 
-/// How fast this machine is, and what there is to do on this rank.
+/// The speed of this machine, and the size of the problem.
 struct Workload {
   const config::Config& config;
   const stages::Problem& problem;
   const stages::ModesOptions& modes;
-  double rate;    ///< floating point operations a second of one rank
-  double memory;  ///< bytes a second that one rank reads
+  double rate;    ///< floating point operations per second of one rank
+  double memory;  ///< bytes per second that one rank reads
   double ranks;
-  double speed;  ///< of all ranks together, over that of one
+  double speed;  ///< of all ranks together, relative to one
   double dofs;   ///< N, free degrees of freedom of all ranks
-  double rows;   ///< N over the ranks
-  double held;   ///< bytes that this rank holds before the modes
+  double rows;   ///< N / ranks
+  double held;   ///< bytes that this rank holds before the modes are computed
 };
 
 struct Estimate {
   std::string stage;
   double seconds = 0;
-  double memory = 0;  ///< bytes that this rank holds at the most while the stage runs
+  double memory = 0;  ///< peak memory of this rank during the stage, bytes
   std::string how;
 };
 
-/// The modes, what solves with K after them where derivatives need it, and what a Newton step of the full model takes.
+/// The cost of the modes, of solves with K after them, and of a Newton step of the full model.
 struct ModesEstimate {
   Estimate stage;
   double inverse_memory = 0;   ///< bytes of this rank
-  double inverse_seconds = 0;  ///< a column of a block that is solved
+  double inverse_seconds = 0;  ///< for one column of a block
   double newton_memory = 0;    ///< bytes of this rank
-  double newton_seconds = 0;   ///< a linear solve with a new matrix
+  double newton_seconds = 0;   ///< for one linear solve with a new matrix
 };
 
 /// *Collective*.
@@ -47,9 +48,9 @@ Workload workload(const config::Config& config, const stages::Problem& problem, 
 /// *Collective*.
 ModesEstimate estimate_modes(const Workload& work);
 
-/// The stages that the options ask for, in the order in which they run: full statics, modes, basis, polynomial,
-/// witness; without what an earlier model has done. Throws InputError for snapshots that do not fit the mesh.
-/// *Collective*.
+/// *Collective*. The stages that the options ask for, in the order in which they run: full statics, modes, basis,
+/// polynomial, witness; without those that an earlier model provides. Throws InputError for snapshots that do not fit
+/// the mesh.
 std::vector<Estimate> estimate_stages(const Workload& work, const std::optional<FinishedBasis>& earlier);
 
 /// "1.5 s".

@@ -1,4 +1,4 @@
-// -export: matrices that other programs read.
+// -export: writes the matrices for other programs.
 #pragma once
 #include <filesystem>
 #include <vector>
@@ -9,12 +9,12 @@
 
 namespace ritz::app {
 
-/// Where K, M and the modes go, beside the model: MODEL_K.mtx, MODEL_M.mtx, MODEL_modes.mtx (MatrixMarket) or .bin
+/// The files of K, M and the modes, beside the model: MODEL_K.mtx, MODEL_M.mtx, MODEL_modes.mtx (MatrixMarket) or .bin
 /// (PETSc). None when nothing is exported.
 std::vector<std::filesystem::path> exported_files(const config::Config& config);
 
-/// Writes these. Rows are the free degrees of freedom by vertex in the file's order and component. They are not
-/// published yet. *Collective*.
+/// *Collective*. Writes these files, which the caller publishes. Rows are the free degrees of freedom, ordered by
+/// vertex in the mesh file and then by component.
 std::vector<PendingFile> export_matrices(const config::Config& config, const stages::Problem& problem,
                                          const petsc::Tall& modes);
 

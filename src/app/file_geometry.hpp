@@ -1,4 +1,4 @@
-// The mesh in file order: what the model file stores of it.
+// The mesh in the order of its file, as the model file stores it.
 #pragma once
 #include <span>
 #include <vector>
@@ -11,21 +11,21 @@
 
 namespace ritz::app {
 
-/// This rank's slice of the stored geometry, and where rows of the mesh go.
+/// This rank's slice of the stored geometry, and the mapping from rows of the mesh.
 struct FileGeometry {
   model::Geometry geometry;
   format::GeometrySlices slices;
-  std::vector<std::int64_t> row_of_owned;  ///< stored row of each owned vertex, or -1 where it is not stored
+  std::vector<std::int64_t> row_of_owned;  ///< the stored row of each owned vertex, or -1 if it is not stored
 
-  /// Values of owned vertices (`width` a vertex) as this rank's slice of stored rows. *Collective*.
+  /// *Collective*. Redistributes values of owned vertices, one row for each, to this rank's slice of the stored rows.
   parallel::RowMatrix to_file(MPI_Comm comm, const parallel::RowMatrix& owned) const;
   std::vector<std::int64_t> to_file(MPI_Comm comm, std::span<const std::int64_t> owned) const;
 };
 
-/// One vector over owned vertices as a row x y z a vertex.
+/// A vector over owned vertices as a matrix with one row x, y, z for each vertex.
 parallel::RowMatrix by_vertex(mesh::VertexRef u);
 
-/// All vertices and solid cells, or the surface's vertices and faces. *Collective*.
+/// *Collective*. All vertices and solid cells, or only the vertices and faces of the surface.
 FileGeometry file_geometry(const mesh::Mesh& mesh, const fem::Materials& materials, config::StoredRows rows);
 
 }  // namespace ritz::app

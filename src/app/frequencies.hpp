@@ -1,4 +1,4 @@
-// The modes as a table: a file and what is printed.
+// The modes as a table, for a file and for printing.
 #pragma once
 #include <string>
 
@@ -6,7 +6,8 @@
 
 namespace ritz::app {
 
-/// "index,kind,frequency_hz,eigenvalue,residual,certified", a row a mode, 15 digits.
+/// A table with the columns "index,kind,frequency_hz,eigenvalue,residual,certified", one row for each mode, with 15
+/// digits.
 std::string frequencies_csv(const model::Modes& modes);
 
 /// The first modes, the certificate, and the masses that move with them, for people. `inertia`: over the modes, or over

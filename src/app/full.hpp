@@ -1,4 +1,4 @@
-// ritz-full: the unreduced model under a scene, to which reduced ones are compared.
+// ritz-full: the unreduced model under a scene, with which reduced models are compared.
 #pragma once
 #include <mpi.h>
 
@@ -6,8 +6,8 @@
 
 namespace ritz::app {
 
-/// From a mesh and a scene to a motion file. Throws InputError or NumericalError, on all ranks alike; then no file is
-/// left behind or changed. *Collective*.
+/// *Collective*. Computes a motion from a mesh and a scene, and writes it. Throws InputError or NumericalError on all
+/// ranks; then no file is left behind or changed.
 void simulate(MPI_Comm comm, const config::Config& config);
 
 }  // namespace ritz::app

@@ -1,5 +1,5 @@
-// full.h5, the motion of the unreduced body, and full.xdmf beside it for ParaView: written by one rank, by slices in
-// the mesh file's order; and its last state, read again by all.
+// full.h5, the motion of the unreduced body, and full.xdmf for ParaView beside it: written by rank 0, slice by slice in
+// the order of the mesh file. And its last state, which all ranks read.
 #pragma once
 #include <map>
 #include <optional>
@@ -12,29 +12,30 @@ namespace ritz::app {
 using format::FullPlan;
 using format::StateKind;
 
-/// Where a run stopped. Vectors: rows of owned vertices.
+/// The last state of a run. Vectors have rows of owned vertices.
 struct LastState {
   StateKind kind = StateKind::moving;
-  std::string integrator;                 ///< whose acceleration `a` is; "none" at rest
-  std::map<std::string, double> numbers;  ///< t and energies, by name
-  mesh::VertexRows u, v, a;
+  std::string integrator;                 ///< the method that computed `a`; "none" at rest
+  std::map<std::string, double> numbers;  ///< t (s) and energies (J), by name
+  mesh::VertexRows u, v, a;               ///< m, m/s, m/s²
 };
 
 class FullFile {
  public:
-  /// Writes what does not move. Throws InputError when the files cannot be created. *Collective*.
+  /// *Collective*. Creates the files and writes everything except frames and the last state. Throws InputError when the
+  /// files cannot be created.
   FullFile(const std::filesystem::path& path, const mesh::Mesh& mesh, const fem::Materials& materials,
            const FullPlan& plan);
 
-  /// The next frame, rows of owned vertices; as many as planned. *Collective*.
+  /// *Collective*. Appends a frame (m, rows of owned vertices), as many times as planned.
   void frame(mesh::VertexRef u);
 
-  /// *Collective*.
+  /// *Collective*. Stores the last state.
   void keep(const LastState& state, const std::string& problem_checksum);
 
-  /// Closes the files and brings them to the disk. *Collective*.
+  /// *Collective*. Closes the files and flushes them to the disk.
   void finish();
-  /// Gives them their names. *Collective*.
+  /// *Collective*. Renames the files to their final names.
   void publish();
 
  private:
@@ -46,12 +47,13 @@ class FullFile {
   std::optional<format::FullMotion> file_;  ///< on rank 0
 };
 
-/// Verifies the checksums of the last state, on rank 0, before read_last_state. Throws InputError on all ranks for a
-/// damaged file; the warning of a file that has none, empty elsewhere. *Collective*.
+/// *Collective*. Verifies the checksums of the last state, which rank 0 reads; to be called before read_last_state.
+/// Returns a warning if the file has no checksums, else an empty text. Throws InputError on all ranks for a damaged
+/// file.
 std::string verify_last_state(MPI_Comm comm, const std::filesystem::path& path);
 
-/// The last state of an earlier run. Throws InputError on all ranks when the file is none of ritz-full's, or of another
-/// problem. *Collective*.
+/// *Collective*. Reads the last state of an earlier run. Throws InputError on all ranks when the file was not written
+/// by ritz-full, or belongs to another problem.
 LastState read_last_state(const std::filesystem::path& path, const mesh::Mesh& mesh,
                           const std::string& problem_checksum);
 

@@ -1,5 +1,5 @@
-// Everything that a run of ritz-full leaves behind: full.h5, full.xdmf, the tables of its probes and, of a motion, of
-// its energy; what its steps cost, when asked.
+// The files of a run of ritz-full: full.h5, full.xdmf, the tables of its probes and (for a motion) of its energy, and
+// the cost of its steps if requested.
 #pragma once
 #include "ritz/app/full_file.hpp"
 #include "ritz/app/full_timing.hpp"
@@ -8,21 +8,22 @@
 
 namespace ritz::app {
 
-/// Takes the states of a run one by one.
+/// Records the states of a run one by one.
 class FullRecorder {
  public:
-  /// `frame_states` ascend, one for each of the plan's frame times. The problem must outlive it. *Collective*.
+  /// *Collective*. `frame_states` are ascending, one for each frame time of the plan. The problem must outlive this
+  /// object.
   FullRecorder(const config::Config& config, const scene::Scene& scene, const stages::Problem& problem,
                const FullPlan& plan, std::vector<std::int64_t> frame_states);
 
-  /// The state that the run begins with. *Collective*.
+  /// *Collective*. Records the state with which the run begins.
   void start(const stages::DynamicState& state);
-  /// The state that a step ends with. *Collective*.
+  /// *Collective*. Records the state at the end of a step.
   void step(const stages::DynamicState& state, const Effort& so_far);
 
-  /// Stores `last` for a restart and brings all files to the disk. *Collective*.
+  /// *Collective*. Stores `last` for a restart and flushes all files to the disk.
   void finish(const stages::DynamicState& last, const std::string& problem_checksum);
-  void publish();  ///< Gives them their names. *Collective*.
+  void publish();  ///< *Collective*. Renames the files to their final names.
 
  private:
   void record(const stages::DynamicState& state);

@@ -1,4 +1,4 @@
-// What a run of ritz-full is told by its scene, and where it starts.
+// What a scene asks of ritz-full, and the state with which the run starts.
 #pragma once
 #include "ritz/config/config.hpp"
 #include "ritz/scene/scene.hpp"
@@ -6,29 +6,30 @@
 
 namespace ritz::app {
 
-/// What -solver asks for, or what fits. *Collective*.
+/// *Collective*. The linear solver that -solver asks for, or by default one that fits.
 petsc::LinearSolver linear_solver(const config::Config& config, const mesh::Dofs& dofs);
 
-/// The scene, the same on all ranks. Throws InputError. *Collective*.
+/// *Collective*. Reads a scene, replicated on all ranks. Throws InputError on all ranks.
 scene::Scene read_scene(MPI_Comm comm, const std::filesystem::path& path);
 
-/// The same for ritz-full. Throws InputError also for what the full model cannot do. *Collective*.
+/// *Collective*. The same for ritz-full. Throws InputError also for what the full model does not support.
 scene::Scene read_full_scene(MPI_Comm comm, const std::filesystem::path& path);
 
 stages::FullIntegrator integrator_of(const scene::Time& time);
 
-/// The integrator of a scene's motion as scenes name it; "none" of statics.
+/// The name of the integrator of a scene, as scenes spell it; "none" for statics.
 std::string integrator_name(const scene::Scene& scene);
 
-/// At rest, or where an earlier run stopped. Time goes on from a motion's last state; from a static one, released, it
-/// starts at 0. Where another integrator made the last state, `a` has no column. Throws InputError. *Collective*.
+/// *Collective*. The first state: at rest, or the last state of an earlier run (-restart). Time continues from the last
+/// state of a motion; from a static state, which is released, it starts at 0. If another integrator computed the last
+/// state, `a` has no columns. Throws InputError on all ranks.
 stages::DynamicState first_state(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
                                  const scene::Scene& scene, const std::string& problem_checksum);
 
-/// How many of the scene's steps lie beyond `from`, before anything is listed; of statics at most.
+/// The number of steps of the scene after `from`, without listing them; for statics an upper bound.
 std::int64_t step_count_from(const scene::Scene& scene, double from);
 
-/// Times (or load fractions) from `from` on that the scene's steps reach, `from` included. Throws InputError when there
+/// The times (or load fractions) of the scene's steps from `from` on, including `from`. Throws InputError when there
 /// are no others.
 std::vector<double> times_from(const scene::Scene& scene, double from);
 

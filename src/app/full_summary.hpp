@@ -1,4 +1,4 @@
-// What a run of ritz-full came to: printed, and in its summary.
+// The results of a run of ritz-full, printed and in its summary.
 #pragma once
 #include "ritz/app/summary.hpp"
 #include "ritz/scene/scene.hpp"
@@ -9,26 +9,26 @@ namespace ritz::app {
 /// The energy of a motion, J.
 struct EnergyBalance {
   stages::Energies last;
-  double largest = 0;           ///< kinetic and elastic together
-  double gained = 0, lost = 0;  ///< as stages::DynamicReport has them
+  double largest = 0;           ///< largest sum of kinetic and elastic energy
+  double gained = 0, lost = 0;  ///< as in stages::DynamicReport
 };
 
 struct FullResult {
   double start = 0, end = 0;  ///< time, s, or load fraction of the first and the last state
   std::int64_t steps = 0;
-  double seconds = 0;  ///< that they took
+  double seconds = 0;  ///< time that the steps took
   std::int64_t newton_iterations = 0;
   std::int64_t factorizations = 0;
-  std::int64_t rejected = 0;  ///< steps, or increments of the load, that were halved
+  std::int64_t rejected = 0;  ///< steps, or load increments, that were halved
   std::int64_t inverted_cells = 0;
-  double elastic = 0;                    ///< energy at the end, J
-  std::optional<EnergyBalance> balance;  ///< of a motion
+  double elastic = 0;                    ///< elastic energy at the end, J
+  std::optional<EnergyBalance> balance;  ///< for a motion
 };
 
-/// For people.
+/// The results as text to be printed.
 std::string result_lines(const FullResult& result, std::int64_t degrees_of_freedom);
 
-/// *Collective*.
+/// *Collective*. The results as members of the summary.
 files::Json::Object full_summary(const config::Config& config, const scene::Scene& scene,
                                  const stages::Problem& problem, const FullResult& result, const Progress& progress);
 

@@ -1,4 +1,4 @@
-// What each step of ritz-full cost, as a table: -timing FILE.csv, with the columns of ritz-run's --timing.
+// The cost of each step of ritz-full as a table, for -timing FILE.csv; it has the columns of ritz-run's --timing.
 #pragma once
 #include <chrono>
 #include <cstdint>
@@ -7,23 +7,23 @@
 
 namespace ritz::app {
 
-/// Since the run began.
+/// The effort since the run began.
 struct Effort {
-  std::int64_t iterations = 0;  ///< Newton's
-  std::int64_t rejected = 0;    ///< steps, or increments of the load, that did not converge and were halved
+  std::int64_t iterations = 0;  ///< of Newton's method
+  std::int64_t rejected = 0;    ///< steps, or load increments, that did not converge and were halved
 };
 
-/// Times steps by rank 0's clock: all ranks end a step together.
+/// Times steps by the clock of rank 0, as all ranks end a step together.
 class FullTiming {
  public:
   FullTiming(MPI_Comm comm, const std::filesystem::path& path) : file_(comm, path) {}
 
   void begin_step();
-  /// `t` of the state reached, s (statics: the load fraction).
+  /// `t` is the time of the state reached, s (statics: the load fraction).
   void end_step(double t, const Effort& so_far);
 
-  void finish() const;                 ///< Writes the table. *Collective*.
-  void publish() { file_.publish(); }  ///< *Collective*.
+  void finish() const;                 ///< *Collective*. Writes the table.
+  void publish() { file_.publish(); }  ///< *Collective*. Renames the file to its final name.
 
  private:
   PendingFile file_;

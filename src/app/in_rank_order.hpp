@@ -1,4 +1,4 @@
-// One rank writes what all ranks hold, one rank's piece after another.
+// Rank 0 writes what all ranks hold, the piece of one rank after that of another.
 #pragma once
 #include <exception>
 #include <functional>
@@ -10,8 +10,8 @@
 
 namespace ritz::app {
 
-/// Calls `write` on rank 0 with the values of rank 0, 1, ...; no rank holds more than its own and one other piece.
-/// What `write` throws, all ranks throw. *Collective*.
+/// *Collective*. Calls `write` on rank 0 with the values of rank 0, 1, ...; no rank holds more than its own piece and
+/// one other. An exception of `write` is thrown on all ranks.
 template <class T>
 void in_rank_order(MPI_Comm comm, std::span<const T> mine, const std::function<void(std::span<const T>)>& write) {
   std::exception_ptr failed;

@@ -1,4 +1,4 @@
-// How a parallel program begins and ends.
+// Start and end of a parallel program, and its exit code.
 #pragma once
 #include <mpi.h>
 
@@ -9,12 +9,12 @@
 
 namespace ritz::app {
 
-/// Runs `work`; answers its errors with one sentence on stderr, printed once, and the exit code that all ranks return.
-/// When only some ranks failed (a fault that no collective could carry), these end the others within seconds.
+/// Runs `work`. On an error prints one sentence on stderr, once, and returns the exit code, the same on all ranks. If
+/// only some ranks failed (by an error that no collective call reported), they end the others within seconds.
 int guarded(MPI_Comm comm, const std::string& program, const std::function<void()>& work);
 
-/// A whole program: starts MPI and PETSc, prints the help that was asked for or hands the options to `work`; returns
-/// the exit code.
+/// A whole program: starts MPI and PETSc, prints help if asked, or else reads the options and runs `work`; returns the
+/// exit code.
 int run_program(int argc, char** argv, config::Program program,
                 const std::function<void(MPI_Comm, const config::Config&)>& work);
 

@@ -1,17 +1,17 @@
-// The header of a .npy file, as NumPy writes it.
+// The header of a .npy file of NumPy.
 #pragma once
 #include <cstdint>
 #include <filesystem>
 
 namespace ritz::app {
 
-/// A float64 array of two dimensions in C order: where its numbers stand and how many there are.
+/// Position and shape of a two-dimensional float64 array in C order.
 struct NpyArray {
   std::int64_t first_byte = 0, rows = 0, columns = 0;
 };
 
-/// Throws InputError, named after the option, for a file that is none, holds another kind of array, or is shorter or
-/// longer than its shape says.
+/// Reads the header. Throws an InputError that names the option, for a file that is not a .npy file, holds another kind
+/// of array, or is shorter or longer than its shape implies.
 NpyArray read_npy_header(const std::filesystem::path& file, const std::string& option);
 
 }  // namespace ritz::app

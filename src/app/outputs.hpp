@@ -1,4 +1,4 @@
-// The names of the files that a run is to write, taken before it begins.
+// Reserves the names of a run's output files before it begins.
 #pragma once
 #include <mpi.h>
 
@@ -13,18 +13,18 @@
 
 namespace ritz::app {
 
-/// A files::Claim, held by rank 0 until the run ends.
+/// A files::Claim that rank 0 holds until the run ends.
 class Outputs {
  public:
-  /// Throws InputError on all ranks as files::Claim does. *Collective*.
+  /// *Collective*. Throws InputError on all ranks as files::Claim does.
   Outputs(MPI_Comm comm, const files::Plan& plan);
 
-  /// For files that only reading the mesh shows (rank 0's): throws InputError when an output would take the place of
-  /// one. *Collective*.
+  /// *Collective*. For files that become known only when the mesh is read (those of rank 0): throws InputError when an
+  /// output would replace one.
   void refuse_inputs(const std::vector<std::filesystem::path>& read) const;
 
-  /// When all is written: `give_names` publishes the files, and no interruption comes between. Throws InputError when
-  /// another run has written one meanwhile. *Collective*.
+  /// *Collective*. Call this when everything is written. `give_names` publishes the files, and interruptions wait until
+  /// it is done. Throws InputError when another run has written one of them meanwhile.
   void publish(const std::function<void()>& give_names) const;
 
  private:
@@ -32,15 +32,14 @@ class Outputs {
   std::optional<files::Claim> claim_;
 };
 
-/// What ritz-reduce writes: the model, its link, its table of frequencies, and what -export and -summary ask for;
-/// -reuse may name the model that the run replaces. *Collective*.
+/// *Collective*. Claims what ritz-reduce writes: the model, its link, its table of frequencies, and the files of
+/// -export and -summary. -reuse may name the model that the run replaces.
 Outputs claim_model(MPI_Comm comm, const config::Config& config);
 
-/// What a run without a model writes (-plan): the summary and the reports of solvers, if any. The output keeps its
-/// name. *Collective*.
+/// *Collective*. Claims what a run without a model writes (-plan): the summary and the reports of solvers, if any.
 std::optional<Outputs> claim_reports(MPI_Comm comm, const config::Config& config);
 
-/// What ritz-full writes under `scene`; -restart may name the file that the run replaces. *Collective*.
+/// *Collective*. Claims what ritz-full writes under `scene`. -restart may name the file that the run replaces.
 Outputs claim_motion(MPI_Comm comm, const config::Config& config, const scene::Scene& scene);
 
 }  // namespace ritz::app

@@ -1,4 +1,4 @@
-// A file beside the model that appears whole or not at all.
+// A file beside the model, which appears completely or not at all.
 #pragma once
 #include <mpi.h>
 
@@ -10,18 +10,18 @@
 
 namespace ritz::app {
 
-/// A files::PartFile of rank 0, whose name all ranks know.
+/// A files::PartFile of rank 0 whose name is known on all ranks.
 class PendingFile {
  public:
-  /// Throws as files::PartFile does. *Collective*.
+  /// *Collective*. Creates the file. Throws on all ranks as files::PartFile does.
   PendingFile(MPI_Comm comm, const std::filesystem::path& path);
 
   const std::filesystem::path& part() const { return part_; }
 
-  /// Rank 0's text. Throws NumericalError when the disk does not take it. *Collective*.
+  /// *Collective*. Writes the text of rank 0. Throws NumericalError when the disk does not take it.
   void write(const std::string& text) const;
-  void finish() const;  ///< Brings it to the disk: its writer has closed it. *Collective*.
-  void publish();       ///< *Collective*.
+  void finish() const;  ///< *Collective*. Flushes the file, which must be closed, to the disk.
+  void publish();       ///< *Collective*. Renames it to its final name.
 
  private:
   MPI_Comm comm_;

@@ -12,18 +12,18 @@
 
 namespace ritz::app {
 
-/// The options of the modes with a strategy chosen: what -solver says, or (auto) the direct one unless the factors that
-/// it holds at once are estimated not to fit into the memory that is free. *Collective*.
+/// *Collective*. The options of the modes, with a strategy: the one of -solver, or (auto) the direct one unless the
+/// factors that are held at the same time are estimated not to fit into the free memory.
 stages::ModesOptions choose_strategy(const config::Config& config, const mesh::Dofs& dofs);
 
-/// What is still to run, by estimate.
+/// The estimated rest of the run.
 struct Plan {
-  std::vector<Estimate> stages;  ///< the last one writes the model; memory of the rank that holds most
-  double seconds = 0;            ///< of the whole run, what was done for the plan included
-  Memory memory;                 ///< at the most
+  std::vector<Estimate> stages;  ///< the last one writes the model; memory of the rank that needs most
+  double seconds = 0;            ///< of the whole run, including what was done for the plan
+  Memory memory;                 ///< peak
 };
 
-/// The stages that the options ask for and an earlier model has not done. *Collective*.
+/// *Collective*. The stages that the options ask for and that an earlier model does not provide.
 Plan make_plan(const config::Config& config, const stages::Problem& problem, const stages::ModesOptions& options,
                const Earlier& earlier, const Progress& progress);
 

@@ -1,4 +1,5 @@
-// What a user sees of long work: a moving line on a terminal, dated lines elsewhere, nothing when asked for silence.
+// Shows the progress of long work: a line that is overwritten on a terminal, dated lines elsewhere, nothing if the user
+// asked for silence.
 #pragma once
 #include <mpi.h>
 
@@ -12,12 +13,12 @@
 
 namespace ritz::app {
 
-/// Speaks on rank 0 alone; keeps the seconds of each stage for the report.
+/// Prints on rank 0 alone. Records the time of each stage for the report.
 class Progress {
  public:
   Progress(MPI_Comm comm, config::Voice voice);
 
-  /// Runs one stage of the pipeline: named in -log_view, timed, announced.
+  /// Runs one stage of the pipeline, and names it in -log_view, times it and announces it.
   template <class Work>
   auto stage(const std::string& name, Work work) {
     const petsc::LogStage log(name);
@@ -25,10 +26,10 @@ class Progress {
     return work();
   }
 
-  /// How far the running stage is (0 ... 1).
+  /// Sets the progress of the running stage, 0 ... 1.
   void update(const std::string& what, double fraction);
-  void line(const std::string& text) const;  ///< to stdout
-  void warn(const std::string& text);        ///< to stderr, and into the report; once
+  void line(const std::string& text) const;  ///< prints on stdout
+  void warn(const std::string& text);        ///< prints on stderr, once, and records it in the report
 
   const std::vector<model::StageTime>& seconds() const { return seconds_; }
   const std::vector<std::string>& warnings() const { return warnings_; }

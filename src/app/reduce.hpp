@@ -1,4 +1,4 @@
-// ritz-reduce: the method's table of contents.
+// ritz-reduce: the pipeline, which reads as a table of contents of the method.
 #pragma once
 #include <mpi.h>
 
@@ -6,7 +6,7 @@
 
 namespace ritz::app {
 
-/// From a mesh to a model file. Throws InputError or NumericalError, on all ranks alike. *Collective*.
+/// *Collective*. Computes a model from a mesh and writes it. Throws InputError or NumericalError on all ranks.
 void reduce(MPI_Comm comm, const config::Config& config);
 
 }  // namespace ritz::app

@@ -1,4 +1,4 @@
-// What ritz-reduce says in its summary.
+// The contents of ritz-reduce's summary.
 #pragma once
 #include "ritz/app/earlier.hpp"
 #include "ritz/app/plan.hpp"
@@ -7,12 +7,12 @@
 
 namespace ritz::app {
 
-/// Of a run that wrote a model. `of_modes`: the inertia over the modes, or over no columns where their vectors are not
-/// at hand. *Collective*.
+/// *Collective*. Of a run that wrote a model. `of_modes` is the inertia over the modes, or over no columns if their
+/// vectors are not available.
 files::Json::Object model_summary(const config::Config& config, const stages::Problem& problem, const Earlier& earlier,
                                   const Results& results, const model::Inertia& of_modes, const Progress& progress);
 
-/// Of a run that printed a plan. *Collective*.
+/// *Collective*. Of a run that printed a plan.
 files::Json::Object plan_summary(const config::Config& config, const stages::Problem& problem, const Earlier& earlier,
                                  const Plan& plan, const Progress& progress);
 

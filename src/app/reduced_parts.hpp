@@ -1,4 +1,4 @@
-// The nonlinear stages of the pipeline, where they are asked for, each with its witness.
+// The nonlinear stages of the pipeline, each with its witness, if they are asked for.
 #pragma once
 #include <optional>
 #include <string>
@@ -10,21 +10,21 @@
 
 namespace ritz::app {
 
-/// The target for a basis's error that was given, and the basis that reaches it.
+/// The requested error of a basis, and the basis that reaches it.
 struct Accuracy {
   double target = 0;
   stages::SizedError reached;
 };
 
-/// What a basis cost and how far it can be trusted; absent what was not asked for.
+/// The cost of a basis and how far it can be trusted. What was not asked for is absent.
 struct BasisFigures {
   std::optional<double> orthonormality;  ///< max |UᵀMU − I|
   std::optional<stages::DerivativeCounts> derivatives;
-  std::optional<double> taylor_slope;  ///< of the derivatives' witness
+  std::optional<double> taylor_slope;  ///< of the modal derivatives
   std::optional<Accuracy> accuracy;
 };
 
-/// The basis U, rows of free degrees of freedom: the modes themselves where no basis was asked for.
+/// The basis U, rows of free degrees of freedom: the modes themselves if no other basis was asked for.
 struct ReducedBasis {
   mesh::FreeRows U;
   std::optional<model::Reduction> reduction;
@@ -36,18 +36,19 @@ struct ReducedPolynomial {
   stages::PolynomialErrors errors;
 };
 
-/// `path`: what a target for the error is measured on. Throws InputError for snapshots or sizes that do not fit, and
-/// NumericalError when the target is out of reach. *Collective*.
+/// *Collective*. Computes the basis. `path` is the load path on which its error is measured, if an error was requested.
+/// Throws InputError for snapshots or sizes that do not fit, and NumericalError when the requested error cannot be
+/// reached.
 ReducedBasis reduce_basis(const config::Config& config, const stages::Problem& problem,
                           const stages::ModesResult& modes, const std::optional<stages::StaticPath>& path,
                           Progress& progress);
 
-/// Nothing where no polynomial was asked for. `u`: the basis over owned vertices. Throws NumericalError when the
-/// witness fails. *Collective*.
+/// *Collective*. Computes the polynomial; nothing if none was asked for. `u` is the basis over owned vertices. Throws
+/// NumericalError when the witness fails.
 std::optional<ReducedPolynomial> reduce_forces(const config::Config& config, const stages::Problem& problem,
                                                const mesh::VertexRows& u, Progress& progress);
 
-/// What they came to, for people; empty for a linear model.
+/// The results as text to be printed; empty for a linear model.
 std::string basis_lines(const ReducedBasis& basis, const std::optional<ReducedPolynomial>& polynomial,
                         const model::Inertia& inertia);
 

@@ -1,4 +1,4 @@
-// A model's report: what a run cost and came to, under the names that figures have in the file.
+// The report of a model: the cost and the results of the run, under the names that they have in the file.
 #pragma once
 #include "ritz/app/progress.hpp"
 #include "ritz/app/write_model.hpp"
@@ -6,13 +6,13 @@
 
 namespace ritz::app {
 
-/// *Collective*.
+/// *Collective*. Makes the report.
 model::Report report(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Results& results, const Progress& progress);
 
-/// What an earlier report says of the basis; absent what it does not say.
+/// The figures of the basis in an earlier report; those that it lacks are absent.
 BasisFigures basis_figures(const model::Report& report);
 
-/// Iterations of the eigensolver; 0 where the report does not say.
+/// The iterations of the eigensolver; 0 if the report lacks them.
 int eigensolver_iterations(const model::Report& report);
 
 }  // namespace ritz::app

@@ -1,4 +1,4 @@
-// The options of a run as they came out.
+// The options of a run with their final values.
 #pragma once
 #include <string>
 #include <utility>
@@ -11,11 +11,11 @@ namespace ritz::app {
 
 using Options = std::vector<std::pair<std::string, std::string>>;
 
-/// All options with what they came to: the solver that was chosen, what -fix stands for where it is left out, and the
-/// checksums of the files of -snapshots and -accuracy_scene. *Collective*.
+/// *Collective*. All options with their final values: with the solver that was chosen, the supports that apply without
+/// -fix, and the checksums of the files of -snapshots and -accuracy_scene.
 Options resolved(const config::Config& config, const mesh::Mesh& mesh, stages::Strategy strategy);
 
-/// The value of an option among these; empty where it is none of them.
+/// The value of an option; empty if it is not among these.
 std::string value_of(const Options& options, const std::string& name);
 
 }  // namespace ritz::app

@@ -1,4 +1,4 @@
-// What the machine gives and what the run took.
+// The memory of the machine and of the run.
 #pragma once
 #include <mpi.h>
 
@@ -6,19 +6,19 @@
 
 namespace ritz::app {
 
-/// Bytes of memory that are free on this rank's machine, shared among the ranks on it. *Collective*.
+/// *Collective*. Free memory of this rank's machine divided by the number of ranks on it, bytes.
 double free_memory_per_rank(MPI_Comm comm);
 
-/// The most memory that the processes of a run have held so far, bytes.
+/// The peak memory of the processes of a run so far, bytes.
 struct Memory {
   double largest_rank = 0;
-  double all_ranks = 0;  ///< the sum over the ranks
+  double all_ranks = 0;  ///< sum over the ranks
 };
 
-/// *Collective*.
+/// *Collective*. Computes the peak memory.
 Memory peak_memory(MPI_Comm comm);
 
-/// "peak memory 1.2 GB over 2 ranks". *Collective*.
+/// *Collective*. "peak memory 1.2 GB over 2 ranks".
 std::string peak_memory_line(MPI_Comm comm);
 
 }  // namespace ritz::app

@@ -1,4 +1,4 @@
-// From a scene's loads and probes to vectors of the full model.
+// The loads and probes of a scene as vectors of the full model.
 #pragma once
 #include <vector>
 
@@ -8,26 +8,28 @@
 
 namespace ritz::app {
 
-/// F(t) = Σ factor(table, t) force over the scene's loads, gravity (M g) and shaking (−M a direction), N over the free
-/// degrees of freedom; dead loads on the body at rest. `scene` must outlive it. Throws InputError for a set or vertex
-/// that the mesh does not have, and for pressure or traction on a set without a surface. *Collective*.
+/// *Collective*. F(t) = Σ factor(table, t) force over the scene's loads, gravity g (M g) and ground acceleration (−M a
+/// direction), N over the free degrees of freedom: dead loads on the body at rest. `scene` must outlive the result.
+/// Throws InputError for a set or vertex that the mesh does not have, and for a pressure or traction on a set without a
+/// surface.
 stages::LoadAt scene_loads(const scene::Scene& scene, const stages::Problem& problem);
 
-/// Displacements of the scene's probes.
+/// The displacements of a scene's probes.
 class SceneProbes {
  public:
-  /// Throws as above. *Collective*.
+  /// *Collective*. Throws InputError as above.
   SceneProbes(const scene::Scene& scene, const mesh::Mesh& mesh);
 
   std::string header() const;  ///< "t,NAME_ux,NAME_uy,NAME_uz,..."
-  /// 3 a probe, m: a vertex's, or the plain mean over a set. `u`: rows of owned vertices. *Collective*.
+  /// *Collective*. Three numbers for each probe, m: the displacement of a vertex, or the unweighted mean over a set.
+  /// `u` has rows of owned vertices.
   Eigen::VectorXd at(mesh::VertexRef u) const;
 
  private:
   struct Probe {
     std::string name;
     std::vector<int> vertices;  ///< owned
-    double total;               ///< of vertices on all ranks
+    double total;               ///< number of vertices on all ranks
   };
   MPI_Comm comm_;
   std::vector<Probe> probes_;

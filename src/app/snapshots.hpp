@@ -1,4 +1,4 @@
-// -snapshots: full displacement vectors from a file.
+// -snapshots: reads full displacement vectors from a file.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -8,14 +8,14 @@
 
 namespace ritz::app {
 
-/// The snapshots of a file over free degrees of freedom, m, a column each: NumPy's .npy (float64, C order), or the
-/// dataset /snapshots of a file such as ritz-full writes. A snapshot is a row of 3n numbers, x y z of each
-/// vertex in the mesh file's order (vertices that no cell uses left out). Throws InputError on all ranks for a file
-/// that is not so, vectors of another length, or numbers that are not finite. *Collective*.
+/// *Collective*. The snapshots of a file over free degrees of freedom, m, one column for each. The file is a .npy file
+/// of NumPy (float64, C order), or has a dataset /snapshots such as ritz-full writes. A snapshot is a row of 3n
+/// numbers: x, y, z of each vertex in the order of the mesh file, without vertices that no cell uses. Throws InputError
+/// on all ranks for any other file, for vectors of another length, and for numbers that are not finite.
 mesh::FreeRows read_snapshots(const std::filesystem::path& file, const mesh::Mesh& mesh, const mesh::Dofs& dofs);
 
-/// How many snapshots a file holds. Throws InputError on all ranks for what read_snapshots refuses but for the numbers.
-/// *Collective*.
+/// *Collective*. The number of snapshots in a file. Throws InputError on all ranks as read_snapshots does, except for
+/// numbers, which it does not read.
 std::int64_t count_snapshots(const std::filesystem::path& file, const mesh::Mesh& mesh);
 
 }  // namespace ritz::app

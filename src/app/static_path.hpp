@@ -1,4 +1,4 @@
-// What a target for the error of a basis is measured on.
+// The load path on which the error of a basis is measured.
 #pragma once
 #include <optional>
 
@@ -9,9 +9,9 @@
 
 namespace ritz::app {
 
-/// Full equilibria under a quarter, a half, three quarters and all of the scene's loads, where there is a scene; loads
-/// that change in time count as they are when they are largest. Throws InputError, and NumericalError where the full
-/// model has no equilibrium. *Collective*.
+/// *Collective*. Equilibria of the full model under a quarter, a half, three quarters and all of the scene's loads;
+/// nothing without a scene. Loads that vary in time are taken at their largest. Throws InputError, and NumericalError
+/// when the full model has no equilibrium.
 std::optional<stages::StaticPath> static_path(const config::Config& config, const std::optional<scene::Scene>& scene,
                                               const stages::Problem& problem, Progress& progress);
 

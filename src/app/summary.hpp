@@ -1,4 +1,4 @@
-// The summary of a run, as docs/summary.md describes it: what is printed, as numbers in a file of JSON.
+// The summary of a run: what is printed, as numbers in a JSON file. See docs/summary.md.
 #pragma once
 #include <optional>
 
@@ -9,15 +9,15 @@
 
 namespace ritz::app {
 
-/// What every summary begins with. `program`: its name. *Collective*.
+/// *Collective*. The members with which every summary begins. `program` is the name of the program.
 files::Json::Object summary_head(MPI_Comm comm, const char* program, const config::Config& config,
                                  const Progress& progress);
 
-/// Sizes of the mesh and of its equations. *Collective*.
+/// *Collective*. The sizes of the mesh and of its equations.
 files::Json problem_summary(const stages::Problem& problem);
 
-/// The summary's file where -summary names one: written and on the disk, without its name yet. `members` makes its
-/// contents, on all ranks. *Collective*.
+/// *Collective*. Writes the file of -summary, if that is given, and flushes it to the disk; the caller publishes it.
+/// `members` is called on all ranks and returns the contents.
 std::optional<PendingFile> written_summary(MPI_Comm comm, const config::Config& config,
                                            const std::function<files::Json::Object()>& members);
 

@@ -1,4 +1,4 @@
-// What a careful user is told before a long run.
+// Warnings before a long run.
 #pragma once
 #include <string>
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace ritz::app {
 
-/// The mesh's own warnings, locking of linear tetrahedra, units that look mixed up, a body that nothing holds though
-/// nobody asked for a free one, a slow BLAS. *Collective*.
+/// *Collective*. The mesh's own warnings, locking of linear tetrahedra, units that look mixed up, a body without
+/// supports although the user did not ask for a free one, a slow BLAS; one sentence each.
 std::vector<std::string> warnings(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
                                   const fem::Materials& materials);
 

@@ -1,4 +1,4 @@
-// The pipeline's results as one file.
+// Writes the results of the pipeline into one file.
 #pragma once
 #include <memory>
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace ritz::app {
 
-/// What the pipeline came to.
+/// The results of the pipeline.
 struct Results {
   const stages::ModesResult& modes;
   const petsc::Tall& u;  ///< the basis over owned vertices
@@ -21,16 +21,16 @@ struct Results {
   const std::vector<model::SetLoad>& loads;
 };
 
-/// A model and the table of its frequencies beside it, written and not yet named.
+/// A model and its table of frequencies, written but not published.
 class WrittenModel {
  public:
-  /// Writes them. *Collective*.
+  /// *Collective*. Writes both files.
   WrittenModel(const config::Config& config, const stages::Problem& problem, const FileGeometry& order,
                const Results& results, const Progress& progress);
   ~WrittenModel();
   WrittenModel(WrittenModel&&) noexcept;
 
-  void publish();  ///< Gives them their names. *Collective*.
+  void publish();  ///< *Collective*. Renames the files to their final names.
 
  private:
   struct Files;
