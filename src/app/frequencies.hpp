@@ -10,8 +10,8 @@ namespace ritz::app {
 /// digits.
 std::string frequencies_csv(const model::Modes& modes);
 
-/// The first modes, the certificate, and the masses that move with them, for people. `inertia`: over the modes, or over
-/// no columns where their vectors are not at hand; the masses that move with them are then left out.
+/// The first modes, the certificate and the effective masses, as text. `inertia` is that over the modes; if it has no
+/// columns, because the vectors of the modes are not available, the masses are left out.
 std::string modes_lines(const model::Modes& modes, const model::Inertia& inertia);
 
 }  // namespace ritz::app
