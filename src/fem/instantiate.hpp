@@ -1,5 +1,4 @@
-// The elements and faces that functions are compiled for, here and nowhere else: RITZ_ELEMENTS(F) is F(Tet4) F(Tet10)
-// F(Hex8).
+// The elements and faces for which function templates are compiled: RITZ_ELEMENTS(F) is F(Tet4) F(Tet10) F(Hex8).
 #pragma once
 #include "ritz/fem/face.hpp"
 #include "ritz/fem/hex8.hpp"

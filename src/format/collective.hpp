@@ -1,4 +1,4 @@
-// What the ranks that write one file must agree on, through Access::sum and Access::vote.
+// Agreement among the ranks that write one file, through Access::sum and Access::vote.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -8,19 +8,19 @@
 
 namespace ritz::format {
 
-/// *Collective*: the sum over ranks, modulo 2^64.
+/// *Collective*. The sum over the ranks, modulo 2^64.
 std::uint64_t sum(const Access& access, std::uint64_t value);
-/// *Collective*: the value of the rank that writes what is small.
+/// *Collective*. The value of the rank with Access::writes_small.
 std::uint64_t shared(const Access& access, std::uint64_t value);
-/// *Collective*: the same for bytes of any number.
+/// *Collective*. The same for a text of any length.
 std::string shared(const Access& access, std::string bytes);
-/// *Collective*: whether all ranks say yes, as Access::vote has it.
+/// *Collective*. Whether all ranks pass true, as in Access::vote.
 Vote vote(const Access& access, bool yes);
-/// *Collective*: throws std::runtime_error on all ranks when `ok`, the outcome of HDF5's last call, is false on one;
-/// where that one's others never come, on it alone.
+/// *Collective*. Throws std::runtime_error on all ranks when `ok`, the success of the last HDF5 call, is false on one
+/// of them; only on that one if the other ranks never come.
 void agree(const ModelWriter& out, bool ok, const std::string& path);
-/// *Collective*: runs `work` on the rank that writes what is small. What it throws is thrown there, std::runtime_error
-/// on the others.
+/// *Collective*. Runs `work` on the rank with Access::writes_small. Its exception is rethrown there, and the other
+/// ranks throw std::runtime_error.
 void on_writer(const ModelWriter& out, const std::function<void()>& work);
 
 }  // namespace ritz::format

@@ -1,19 +1,19 @@
-// What a model file asks of the disk besides its bytes. POSIX, but for the reservation of disk space, which is Linux's.
+// Disk operations for a model file besides its bytes. POSIX, except the reservation of disk space, which is Linux's.
 #pragma once
 #include <cstdint>
 #include <filesystem>
 
 namespace ritz::format {
 
-/// Takes the room for the first `bytes` of a file without changing its contents or length: 0, or the errno that says
-/// that the disk has not got it or that the process may not write so long a file. 0 where the file system cannot tell.
+/// Reserves disk space for the first `bytes` of a file without changing its contents or its length. Returns 0, or the
+/// errno for a full disk or a limit on the length of files; 0 also where the file system cannot tell.
 int reserve(const std::filesystem::path& file, std::uint64_t bytes);
 
-/// Gives back what was reserved and not used.
+/// Releases reserved space that was not used.
 void release_room(const std::filesystem::path& file);
 
-/// Makes the link PATH with the ending .vtkhdf, as ParaView goes by the ending. A convenience: where no link can be
-/// made, or a real file stands in its place, none is.
+/// Makes the link PATH with the ending .vtkhdf, which ParaView requires. Does nothing where no link can be made or a
+/// real file stands there.
 void link_beside(const std::filesystem::path& path);
 
 }  // namespace ritz::format

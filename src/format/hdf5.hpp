@@ -1,4 +1,4 @@
-// HDF5's types for ours, and silence.
+// HDF5's types, and its error messages.
 #pragma once
 #include <hdf5.h>
 
@@ -7,7 +7,8 @@
 
 namespace ritz::format {
 
-/// Switches off HDF5's own printing of errors while it lives: we say in one sentence what went wrong.
+/// Switches off HDF5's own printing of errors for the lifetime of the object; ritz reports errors as exceptions of one
+/// sentence.
 class Quiet {
  public:
   Quiet() {
@@ -23,10 +24,10 @@ class Quiet {
   void* data_ = nullptr;
 };
 
-/// The errno of the operating system behind HDF5's last failure; 0 where HDF5 knows none.
+/// The errno behind HDF5's last failure; 0 if HDF5 does not know it.
 int hdf5_error();
 
-/// The type in the file (and, little-endian machines only, in memory). HDF5 owns it.
+/// The HDF5 type of T in the file and (on little-endian machines, the only ones supported) in memory. HDF5 owns it.
 template <class T>
 hid_t hdf5_type() {
   if constexpr (std::is_same_v<T, double>) return H5T_IEEE_F64LE;

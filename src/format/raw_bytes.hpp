@@ -1,4 +1,4 @@
-// A file's bytes as HDF5's driver holds them, and the little-endian numbers in them.
+// The bytes of a file that HDF5 has opened, and the little-endian numbers in them.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -9,14 +9,15 @@
 
 namespace ritz::format {
 
+/// Throws BadHeader.
 [[noreturn]] void bad_header();
 
-/// An open file of HDF5's POSIX or in-memory driver.
+/// A file opened with HDF5's POSIX or in-memory driver.
 class RawFile {
  public:
   explicit RawFile(hid_t file);
   std::uint64_t size() const { return size_; }
-  /// Throws BadHeader where the file has not got them, or for more than 64 MB.
+  /// The bytes [at, at + count). Throws BadHeader when the file does not have them, and for more than 64 MB.
   std::vector<unsigned char> bytes(std::uint64_t at, std::uint64_t count) const;
 
  private:
@@ -25,7 +26,7 @@ class RawFile {
   int descriptor_ = -1;
 };
 
-/// Takes one thing after the other. Throws BadHeader past the end.
+/// Reads bytes and numbers one after another. Throws BadHeader past the end.
 class Cursor {
  public:
   explicit Cursor(std::span<const unsigned char> bytes) : left_(bytes) {}

@@ -1,5 +1,4 @@
-// Groups, attributes and datasets being read. Everything that is not as expected is an InputError that names the file
-// and the path in it.
+// Reads groups, attributes and datasets. Everything unexpected is an InputError that names the file and the path in it.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -12,23 +11,22 @@
 
 namespace ritz::format {
 
-/// "FILE: PATH WHAT; write the model again".
+/// Throws InputError "FILE: PATH WHAT; write the model again".
 [[noreturn]] void fail(const StoredFile& in, const std::string& path, const std::string& what);
-/// "FILE: PATH: SENTENCE; write the model again", unless `holds`.
+/// Unless `holds`, throws InputError "FILE: PATH: SENTENCE; write the model again".
 void require(bool holds, const StoredFile& in, const std::string& path, const std::string& sentence);
 
-/// Names of a group's links in the order they were made; none when there is no such group. Throws InputError where one
-/// of them is not a hard link.
+/// The names of a group's links in the order in which they were made; none if there is no such group. Throws InputError
+/// when one of them is not a hard link.
 std::vector<std::string> links(const StoredFile& in, const std::string& group);
 
-/// Where what a file of one body keeps at its root stands for body `body`: the root for the first body, the body's own
-/// group for each other one.
+/// The group of what a file with a single body has at its root: the root for the first body, the body's own group for
+/// every other body.
 std::string home(const ModelReader& in, std::string_view body);
 
 std::vector<Index> read_indices(const StoredFile& in, const std::string& object, const char* name);
 
-/// The shape of a dataset, of one dimension at least. Throws InputError for what survey() does not let pass, and for
-/// a view.
+/// The shape of a dataset of at least one dimension. Throws InputError for what survey() refuses, and for a view.
 Shape stored_shape(const StoredFile& in, const std::string& path);
 
 inline constexpr Index any = -1;  ///< in an expected shape: any length
@@ -44,11 +42,11 @@ class StoredArray {
   hid_t type() const { return type_.get(); }
   hid_t dataset() const { return dataset_.get(); }
 
-  /// Throws unless the shape is `expected` and, where one is given, the type is `type`.
+  /// Throws InputError unless the shape is `expected` and the type is `type` (if one is given).
   void expect(const Shape& expected, hid_t type) const;
-  /// Reads rows [first, first + count) as they are stored.
+  /// Reads rows [first, first + count) as they are stored, without a check.
   void load(Index first, Index count, void* data) const;
-  /// The same, and verifies the checksum when those are all rows.
+  /// The same, and verifies the checksum if these are all rows.
   void read(Index first, Index count, void* data) const;
 
  private:
@@ -59,6 +57,7 @@ class StoredArray {
   Type type_;
 };
 
+/// Throws InputError for a number that is not finite.
 void require_finite(const StoredFile& in, const std::string& path, std::span<const double> values);
 
 /// Throws InputError for a number that is not finite.
@@ -74,7 +73,7 @@ std::vector<T> read_vector(const StoredFile& in, const std::string& path, Index 
 
 model::RowMatrix read_matrix(const StoredFile& in, const std::string& path, Index rows, Index columns);
 Eigen::VectorXd read_column(const StoredFile& in, const std::string& path, Index length = any);
-/// `columns` texts a row, row after row; none when there is no such dataset.
+/// Texts, `columns` for each row, row after row; none if there is no such dataset.
 std::vector<std::string> read_texts(const StoredFile& in, const std::string& path, Index columns = 1);
 
 }  // namespace ritz::format

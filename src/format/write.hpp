@@ -1,5 +1,5 @@
-// Groups, attributes and datasets being written. Every function is *Collective* and throws std::runtime_error on all
-// ranks when one of them fails.
+// Writes groups, attributes and datasets. Every function is *Collective* and throws std::runtime_error on all ranks
+// when one of them fails.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -12,13 +12,13 @@
 
 namespace ritz::format {
 
-/// Makes the group and those above it that are missing. Links keep the order in which they are made.
+/// Creates the group and its missing parents. Links keep the order in which they are made.
 void create_group(const ModelWriter& out, const std::string& path);
 
-/// The link names of the bodies that something has been written of, in that order.
+/// The link names of the bodies of which something has been written, in that order.
 std::vector<std::string> body_links(const ModelWriter& out);
-/// Where what a file of one body keeps at its root is written for body `body`, which begins with this where nothing was
-/// written of it: the root for the first body, the body's own group for each other one.
+/// The group into which is written what a file with a single body has at its root: the root for the first body, the
+/// body's own group for every other body. A body of which nothing has been written is created by this.
 std::string home(const ModelWriter& out, std::string_view body);
 
 void write_attribute(const ModelWriter& out, const std::string& object, const char* name, double value);
@@ -27,7 +27,7 @@ void write_attribute(const ModelWriter& out, const std::string& object, const ch
 void write_attribute(const ModelWriter& out, const std::string& object, const char* name,
                      std::span<const std::int64_t> values);
 void write_attribute(const ModelWriter& out, const std::string& object, const char* name, std::string_view text);
-/// A fixed-length ASCII string, as VTKHDF demands.
+/// Writes a fixed-length ASCII string, as VTKHDF requires.
 void write_ascii(const ModelWriter& out, const std::string& object, const char* name, std::string_view text);
 
 /// This rank's rows of a dataset.
@@ -39,10 +39,10 @@ struct Block {
   hid_t type;
 };
 
-/// Creates the dataset, writes each rank's block, and attaches units and checksum.
+/// Creates the dataset, writes the block of each rank, and adds units and checksum.
 void write_block(const ModelWriter& out, const std::string& path, std::string_view units, const Block& block);
 
-/// Sliced: `values` are this rank's rows, each of `row_length` numbers (0: rows are numbers, not one-number rows).
+/// Each rank passes its own rows, of `row_length` numbers each; 0: the dataset has one dimension.
 template <class T>
 void write_rows(const ModelWriter& out, const std::string& path, std::string_view units, std::span<const T> values,
                 Slice slice, hsize_t row_length = 0) {
@@ -51,18 +51,18 @@ void write_rows(const ModelWriter& out, const std::string& path, std::string_vie
   write_block(out, path, units, {values.data(), rows, slice, std::move(row_shape), hdf5_type<T>()});
 }
 
-/// Replicated; written by one rank.
+/// Writes a replicated list; one rank writes it.
 template <class T>
 void write_vector(const ModelWriter& out, const std::string& path, std::string_view units, std::span<const T> values) {
   const auto mine = out.access().writes_small ? values : std::span<const T>();
   write_rows<T>(out, path, units, mine, {0, static_cast<Index>(values.size())});
 }
 inline std::span<const double> view(const Eigen::VectorXd& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
-/// Replicated; a row-major matrix of the same shape in the file.
+/// Writes a replicated matrix, row-major, with the same shape in the file.
 void write_matrix(const ModelWriter& out, const std::string& path, std::string_view units, const model::RowMatrix& m);
 
-/// Replicated: `columns` texts a row (1: a plain list), of one fixed length, padded with zeros. Nothing is written
-/// when there are none.
+/// Writes replicated texts, `columns` for each row (1: a plain list), all of one fixed length, padded with zeros.
+/// Writes nothing if there are none.
 void write_texts(const ModelWriter& out, const std::string& path, const std::vector<std::string>& texts,
                  std::size_t columns = 1);
 

@@ -4,10 +4,12 @@
 
 namespace ritz::runtime {
 
+/// The table of steps of `dt` seconds. Throws InputError when the integrator is not stable at this `dt`.
 template <class Scalar>
 OscillatorTables<Scalar> make_tables(const Model<Scalar>& model, const Integrator& integrator, Scalar dt);
 
-/// Tabulates for another length of step where `dt` is one, then steps; the derivative where one is wanted.
+/// Steps from the table, which is computed again if `dt` is another length; also writes the derivative if `derivative`
+/// is not null.
 template <class Scalar>
 Outcome step_from_tables(const Model<Scalar>& model, State<Scalar>& state, const StepLoad<Scalar>& load, Scalar dt,
                          const Integrator& integrator, OscillatorTables<Scalar>& tables,

@@ -1,8 +1,8 @@
-// Registers of 32 bytes as plain values, and functions compiled for narrow and wide machines at once.
+// Registers of 32 bytes as plain values, and functions that are compiled for narrow and wide machines at once.
 #pragma once
 #include <cstddef>
 
-// One version for AVX2 with FMA, one for what the compiler was told; the machine chooses when the program starts.
+// One version for AVX2 with FMA, one for the target of the compiler; the program chooses between them when it starts.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12
 #define RITZ_WIDE __attribute__((target_clones("arch=x86-64-v3", "default")))
 #else
@@ -14,12 +14,12 @@ namespace ritz::runtime {
 
 inline constexpr std::size_t pack_bytes = 32;
 
-/// How many numbers a register holds.
+/// The number of scalars in a register.
 template <class Scalar>
 inline constexpr std::ptrdiff_t lanes = static_cast<std::ptrdiff_t>(pack_bytes / sizeof(Scalar));
 
-/// Always on 32 bytes, and may stand for any numbers. GCC's vectors become pairs of narrow registers where the machine
-/// has no wide ones.
+/// A register, aligned to 32 bytes; it may alias any numbers. On machines without wide registers GCC turns it into
+/// pairs of narrow ones.
 template <class Scalar>
 struct PackOf;
 template <>

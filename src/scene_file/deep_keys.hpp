@@ -1,11 +1,11 @@
-// Keys of so many parts that a parser which calls itself for each would run out of stack.
+// Refuses keys with so many parts that a recursive parser would run out of stack.
 #pragma once
 #include <string>
 
 namespace ritz::scene {
 
-/// Throws InputError, with file and line, where a key of the TOML text, or a table's heading, has more parts than any
-/// key of a scene could need. Nested arrays and inline tables the parser bounds itself.
+/// Throws InputError, with file and line, when a key or a table heading of the TOML text has more parts than any key of
+/// a scene needs. The parser itself limits nested arrays and inline tables.
 void refuse_deep_keys(const std::string& text, const std::string& file);
 
 }  // namespace ritz::scene

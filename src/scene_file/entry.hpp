@@ -1,4 +1,4 @@
-// Typed access to a parsed TOML file in which every complaint names file and line.
+// Typed access to a parsed TOML file; every error names file and line.
 #pragma once
 #include <toml++/toml.h>
 #include <initializer_list>
@@ -11,7 +11,7 @@
 
 namespace ritz::scene {
 
-/// A value of the file and what to call it: "step of [time]".
+/// A value of the file and its name in messages, such as "step of [time]".
 struct Entry {
   const toml::node& node;
   std::string file;
@@ -21,7 +21,7 @@ struct Entry {
 /// Throws InputError "file:line: message".
 [[noreturn]] void fail(const Entry& entry, const std::string& message);
 
-// Each returns the entry's value, or fails saying what the entry must be. Numbers are finite.
+// Each returns the value of the entry, or throws an InputError that says what it must be. Numbers are finite.
 double number(const Entry& entry);
 double positive(const Entry& entry);
 double not_negative(const Entry& entry);
@@ -31,16 +31,17 @@ std::vector<double> numbers(const Entry& entry);
 Vector3 vector3(const Entry& entry);
 Table table(const Entry& entry);
 
-/// A TOML table that has only keys it may have.
+/// A TOML table whose keys are all allowed.
 class Section {
  public:
-  /// Fails when `entry` is not a table, or for a key that is not in `known`, naming the nearest one.
+  /// Throws InputError when `entry` is not a table, and for a key that is not in `known`, naming the nearest one.
   Section(const Entry& entry, std::initializer_list<std::string_view> known);
 
+  /// The entry of a key, if it is present.
   std::optional<Entry> find(std::string_view key) const;
-  /// Fails when the key is missing.
+  /// The entry of a key. Throws InputError when it is missing.
   Entry get(std::string_view key) const;
-  /// The one of these keys that is there, empty when none is; fails when there are two.
+  /// The only one of these keys that is present; empty if none is. Throws InputError when there are several.
   std::string_view one_of(std::initializer_list<std::string_view> keys) const;
 
   const Entry& entry() const { return entry_; }
@@ -50,7 +51,7 @@ class Section {
   const toml::table* table_;
 };
 
-/// The sections of an array of tables, [[key]]; none when `key` is missing.
+/// The sections of an array of tables, [[key]]; none if `key` is missing.
 std::vector<Section> sections(const Section& parent, std::string_view key,
                               std::initializer_list<std::string_view> known);
 
