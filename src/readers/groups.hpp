@@ -1,4 +1,4 @@
-// Groups of cells that a file tells apart by dimension and number: they become regions and sets.
+// Groups of cells that a file identifies by dimension and number; they become regions and sets.
 #pragma once
 #include <map>
 #include <utility>
@@ -14,20 +14,20 @@ struct Groups {
   std::map<Key, std::vector<Index>> cells;  ///< positions in the listed mesh, ascending
 };
 
-/// Puts the cell listed last into a group.
+/// Adds the cell that was listed last to a group.
 void join_group(Groups& groups, ListedMesh& mesh, Index tag);
 
-/// Makes the sets and, of groups of solids, the regions, when the whole file is read. A group
-/// without a name is named by its number. Groups of one name and dimension are one set.
+/// Makes the sets and, from groups of solid cells, the regions, after the whole file is read. A group without a name
+/// gets its number as name. Groups with the same name and dimension are one set.
 void name_groups(const Groups& groups, ListedMesh& mesh);
 
-/// A part of the body by name.
+/// A named part of the body.
 struct Volume {
   std::string name;
   std::vector<Index> cells;  ///< ascending
 };
 
-/// The regions that volumes cut the solid cells into: one for each combination of volumes that cells lie in.
+/// Makes the regions into which the volumes divide the solid cells: one for each combination of volumes.
 void make_regions(std::vector<Volume> volumes, ListedMesh& mesh);
 
 }  // namespace ritz::readers

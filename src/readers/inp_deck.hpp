@@ -4,27 +4,28 @@
 
 namespace ritz::readers {
 
-/// "*ELEMENT, TYPE=C3D4, ELSET=Body": names in capitals and without blanks, values as written without quotes.
+/// A keyword line such as "*ELEMENT, TYPE=C3D4, ELSET=Body": names in capitals and without blanks, values as written,
+/// without quotes.
 struct Keyword {
   std::string name;
-  std::string title;  ///< the name as people know it: "RIGID BODY"
+  std::string title;  ///< the usual spelling of the name: "RIGID BODY"
   std::vector<std::pair<std::string, std::string>> parameters;
   Place place;
-  /// Continuation lines that state flags alone, such as GENERATE: names of sets could be meant.
+  /// Continuation lines that contain flags alone, such as GENERATE; they could also be names of sets.
   std::vector<Line> flag_lines = {};
 
   bool has(std::string_view parameter) const;
-  std::optional<std::string> value(std::string_view parameter) const;  ///< absent also when empty
+  std::optional<std::string> value(std::string_view parameter) const;  ///< absent also if it is empty
 };
 
-/// Comments and blank lines left out, *INCLUDE followed. A keyword line that ends in a comma goes on in the next line
-/// where each field of that is a parameter (WORD=value, or a flag that the keyword knows); else that line is data, as
-/// CalculiX and many writers of decks mean it.
+/// Iterates over the lines of a deck, without comments and blank lines, and follows *INCLUDE. A keyword line that ends
+/// in a comma continues on the next line if every field there is a parameter (WORD=value, or a flag that the keyword
+/// knows); otherwise that line is data, as CalculiX and many writers of decks mean it.
 class Deck {
  public:
   Deck(Sources& sources, unsigned file) : lines_(sources, file) {}
 
-  /// The next keyword, past whatever data lines are left.
+  /// The next keyword; remaining data lines are skipped.
   std::optional<Keyword> next_keyword();
   /// The next data line of this keyword.
   std::optional<Line> next_data();
@@ -43,10 +44,10 @@ class Deck {
   bool started_ = false;
 };
 
-/// The comma-separated fields of a line, trimmed; one after a last comma is left out. Commas inside quotes do not
-/// separate.
+/// The comma-separated fields of a line, trimmed, without an empty field after a last comma. Commas inside quotes do
+/// not separate.
 std::vector<Line> fields(const Line& line);
-/// Set and material names are compared so: in capitals, without quotes.
+/// The form in which names of sets and materials are compared: in capitals, without quotes.
 std::string plain_name(std::string_view text);
 
 }  // namespace ritz::readers

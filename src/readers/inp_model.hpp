@@ -1,4 +1,4 @@
-// What an .inp file says, before names and numbers are looked up: an order of keywords is not prescribed.
+// The contents of an .inp file before names and numbers are looked up, because keywords may come in any order.
 #pragma once
 #include <map>
 #include <set>
@@ -10,7 +10,7 @@
 
 namespace ritz::readers {
 
-/// One number (step 0, must exist) or a range of them (those that exist).
+/// One number (step 0; it must exist) or a range of numbers (those that exist).
 struct InpMember {
   Index first;
   Index last;
@@ -18,7 +18,7 @@ struct InpMember {
   Place place;
 };
 
-/// A set as it stood when another one took it in: the first so many of each of its lists.
+/// A set as it was when another set included it: the lengths of its lists at that time.
 struct InpPart {
   std::size_t set;  ///< position in InpSets::sets
   std::size_t positions;
@@ -27,7 +27,7 @@ struct InpPart {
   std::size_t element_sets;
 };
 
-/// The lists only grow, so that an InpPart keeps its meaning.
+/// A set. Its lists only grow, so that an InpPart stays valid.
 struct InpSet {
   std::string name;                       ///< as first written
   std::vector<Index> positions;           ///< listed by NSET= of *NODE or ELSET= of *ELEMENT
@@ -36,19 +36,20 @@ struct InpSet {
   std::vector<std::size_t> element_sets;  ///< a node set's ELSET=: positions in InpModel::element_sets
 };
 
-/// Sets of nodes or of elements, found by their names in capitals.
+/// Sets of nodes or of elements, found by name in capitals.
 struct InpSets {
   std::vector<InpSet> sets;
   std::map<std::string, std::size_t> index;
 
   const InpSet* find(const std::string& name) const;
-  /// The position of that set, made if need be.
+  /// The position of that set, which is created if necessary.
   std::size_t made(const std::string& name);
 };
 
+/// The set as it is now.
 InpPart whole(const InpSets& sets, std::size_t set);
 
-/// A line of *SURFACE: a set or a number, and a face label (may be empty).
+/// A line of *SURFACE: a set or a number, and a face label, which may be empty.
 struct InpSurfaceEntry {
   std::string target;
   std::string label;
@@ -63,7 +64,7 @@ struct InpSurface {
   std::vector<InpSurfaceEntry> entries;
 };
 
-/// What a material states that ritz does not read ("*HYPERELASTIC is not read"), and where; empty otherwise.
+/// What a material contains that ritz does not read ("*HYPERELASTIC is not read"), and where; empty otherwise.
 struct InpUnread {
   std::string what;
   Place place;
@@ -83,9 +84,9 @@ struct InpSection {
   Place place;
 };
 
-/// A section, or a transformed coordinate system, that changes the physics where its set holds anything.
+/// A section, or a transformed coordinate system, that changes the physics if its set is not empty.
 struct InpStructure {
-  std::string word;  ///< for -ignore
+  std::string word;  ///< the word for -ignore
   std::string what;
   std::string set;
   Place place;
@@ -94,23 +95,23 @@ struct InpStructure {
 enum class InpMotion { none, prescribed };
 
 struct InpBoundary {
-  std::string target;  ///< a node set, a node, or an element set: its elements' nodes
+  std::string target;  ///< a node set, a node, or an element set, which stands for its nodes
   std::array<bool, 3> components;
   InpMotion motion;  ///< prescribed: a displacement other than zero
   Place place;
 };
 
-/// The model data (the first one, before any *STEP), or a step.
+/// The model data (the first entry, before any *STEP), or a step.
 struct InpStep {
   Place place = {};
   std::vector<InpBoundary> boundaries = {};
-  bool own_supports = false;            ///< a *BOUNDARY stands in it
-  bool replaces_supports = false;       ///< whose first says OP=NEW
+  bool own_supports = false;            ///< it has a *BOUNDARY
+  bool replaces_supports = false;       ///< its first *BOUNDARY has OP=NEW
   std::optional<Place> frequency = {};  ///< *FREQUENCY
-  std::optional<Place> preloaded = {};  ///< PERTURBATION: it starts from the stress of the steps before
+  std::optional<Place> preloaded = {};  ///< PERTURBATION: it starts from the stress of the earlier steps
   std::optional<Place> nonlinear = {};  ///< NLGEOM
-  bool loaded = false;                  ///< a load stands in it
-  bool spinning = false;                ///< with CENTRIF or another body load, which changes the stiffness
+  bool loaded = false;                  ///< it has a load
+  bool spinning = false;                ///< with CENTRIF or another body load that changes the stiffness
 };
 
 struct InpModel {
@@ -120,7 +121,7 @@ struct InpModel {
   InpSets element_sets;
   std::vector<InpSurface> surfaces;
   std::map<std::string, InpMaterial> materials;  ///< by name in capitals
-  std::string material;                          ///< the one being defined
+  std::string material;                          ///< the material that is being defined
   std::vector<InpSection> sections;
   std::vector<InpStructure> structures;  ///< sections of shells, beams, membranes
   std::vector<InpStructure> transforms;
@@ -129,10 +130,10 @@ struct InpModel {
   std::vector<std::pair<Index, std::string>> element_types;  ///< the first cell of each *ELEMENT, and its type
   std::optional<Place> temperatures;
   bool expands = false;         ///< *EXPANSION: a change of temperature strains the body
-  std::set<std::string> words;  ///< of -ignore, that the file had a use for
+  std::set<std::string> words;  ///< words of -ignore that the file used
 };
 
-/// One function a keyword: reads its data lines into the model.
+/// One function for each keyword; it reads the data lines of the keyword into the model.
 void read_inp_node(Deck& deck, const Keyword& keyword, InpModel& model);
 void read_inp_element(Deck& deck, const Keyword& keyword, InpModel& model);
 void read_inp_nset(Deck& deck, const Keyword& keyword, InpModel& model);
@@ -154,34 +155,34 @@ void read_inp_temperature(Deck& deck, const Keyword& keyword, InpModel& model);
 void read_inp_initial_conditions(Deck& deck, const Keyword& keyword, InpModel& model);
 
 using InpHandler = void (*)(Deck&, const Keyword&, InpModel&);
-/// What is done about a keyword of that name: it is obeyed, passed over because it changes nothing that ritz computes,
-/// noted, or refused unless the user leaves it out.
+/// The function for a keyword of that name: the keyword is obeyed, skipped because it changes nothing that ritz
+/// computes, noted, or refused unless the user asks to ignore it.
 InpHandler inp_handler(const std::string& name);
 
-/// The value of a parameter that must be there.
+/// The value of a required parameter.
 std::string needed(const Deck& deck, const Keyword& keyword, std::string_view parameter);
 
-/// Leaves out what `what` says, once a word, as leave_out does; `words` are names for the same thing, the first of them
-/// the one that the error proposes.
+/// Handles what ritz does not support as readers::leave_out does, once for each word. `words` are names for the same
+/// thing; the error suggests the first of them.
 void leave_out(const Sources& sources, Place place, const std::vector<std::string>& words, const std::string& what,
                InpModel& model);
 
-/// The type of a cell as its *ELEMENT says it.
+/// The element type of a cell, as in its *ELEMENT.
 const std::string& element_type(const InpModel& model, Index cell);
 
-/// Puts the supports that count into `boundaries`: those of the first frequency step, else of the last step. Adds a
-/// note where others differ. Throws InputError where the frequency step starts from a stress.
+/// Puts the supports that apply into `boundaries`: those of the first frequency step, or else of the last step. Adds a
+/// note if others differ. Throws InputError when the frequency step starts from a stress.
 void choose_supports(const Sources& sources, InpModel& model);
 
 /// Looks up every name and number, and checks the mesh. Throws InputError.
 FileMesh resolve_inp(const Sources& sources, InpModel model);
 
-/// A file of few lines can list the same numbers without end (ranges, sets of sets). What all its sets list in all is
-/// bounded by the file's size, generously.
+/// A few lines of a file can list the same numbers very often (ranges, sets of sets). Therefore the total of what all
+/// sets list is limited, generously, by the size of the file.
 class InpBudget {
  public:
   explicit InpBudget(const Sources& sources);
-  /// Throws InputError, which names the set, when all sets so far list more than the file's size warrants.
+  /// Counts `entries` of a set. Throws an InputError that names the set when the total exceeds the limit.
   void spend(const Sources& sources, const std::string& set, std::uint64_t entries);
 
  private:
@@ -189,42 +190,42 @@ class InpBudget {
   std::uint64_t spent_ = 0;
 };
 
-/// Numbers that sets list and that the file does not have.
+/// Numbers that sets list but that the file does not define.
 struct InpMissing {
-  std::string first;                                      ///< a sentence on the first one
+  std::string first;                                      ///< a sentence about the first one
   std::set<std::pair<std::uint64_t, std::uint64_t>> all;  ///< file and offset of each
 };
 
-/// The positions, ascending, of what a set lists, and the element sets whose nodes it takes.
+/// The contents of a set: positions, ascending, and the element sets whose nodes it contains.
 struct InpContent {
   std::vector<Index> positions;
   std::set<std::size_t> element_sets;
-  bool by_number = false;  ///< some are listed by *NSET or *ELSET, not all by the keywords that define them
+  bool by_number = false;  ///< some entries come from *NSET or *ELSET, not all from the keywords that define them
 };
 
-/// `what` is "node" or "element". Throws InputError.
+/// The contents of a set. `what` is "node" or "element". Throws InputError.
 InpContent content(const Sources& sources, const InpSets& sets, std::size_t set, const IdMap& ids,
                    const std::string& what, InpBudget& budget, InpMissing& missing);
 
-/// Each value once, ascending.
+/// Sorts the values and removes duplicates.
 void keep_unique(std::vector<Index>& values);
 
-/// What ritz makes of an element type: its own element, its own in place of another formulation (with a note, or only
-/// on the user's word), or nothing.
+/// How ritz treats an element type: as its own element; as its own element instead of another formulation (with a note,
+/// or only if the user asks for it); or not at all.
 enum class InpReading { same, noted, on_your_word, none };
 
 struct InpType {
   InpReading reading;
-  Shape shape;        ///< of all but `none`
-  std::string plain;  ///< the type that it is read as: "C3D8"
+  Shape shape;        ///< except for `none`
+  std::string plain;  ///< the type as which it is read: "C3D8"
   std::string formulation;
 };
 
-/// `name` in capitals. Elements of lower dimension only carry sets.
+/// The treatment of an element type, whose `name` is in capitals. Elements of lower dimension only form sets.
 InpType inp_type(const std::string& name);
 
-/// The words by which -ignore leaves elements of an unread type out: the keyword that gives them their properties
-/// ("SPRING" for SPRINGA), if there is one, and the type.
+/// The words for which -ignore leaves out the elements of an unsupported type: the keyword that gives them their
+/// properties ("SPRING" for SPRINGA), if there is one, and the type.
 std::vector<std::string> words_of_type(const std::string& name);
 
 }  // namespace ritz::readers

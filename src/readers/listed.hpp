@@ -1,4 +1,4 @@
-// A mesh as a reader gathers it, cells of every dimension with the file's own numbers, and what checks it.
+// A mesh as a reader collects it, with cells of every dimension and the file's own numbers; and the checks of it.
 #pragma once
 #include <optional>
 #include <span>
@@ -10,24 +10,26 @@
 
 namespace ritz::readers {
 
-/// The position of each number in a list. Numbers may be sparse and in any order; memory is proportional to the list.
+/// Maps numbers to their positions in a list. Numbers may be sparse and in any order; memory is proportional to the
+/// list.
 class IdMap {
  public:
   explicit IdMap(std::span<const Index> ids);
 
   /// The position of `id`, or -1.
   Index find(Index id) const;
-  /// The position of a number that also stands earlier in the list.
+  /// The position of a number that occurs earlier in the list as well.
   std::optional<Index> duplicate() const { return duplicate_; }
-  /// The positions of the listed ids among first, first + step, ... <= last (0 <= first <= last, step > 0).
+  /// The positions of those of the numbers first, first + step, ... <= last that are listed (0 <= first <= last, step >
+  /// 0).
   std::vector<Index> range(Index first, Index last, Index step) const;
-  /// How many numbers range() looks at.
+  /// The number of candidates that range() checks.
   std::uint64_t looked_at(Index first, Index last, Index step) const;
 
  private:
   Index first_ = 0;
-  std::vector<Index> dense_;                     ///< position of id first_ + i, or -1
-  std::vector<std::pair<Index, Index>> sorted_;  ///< (id, position), when ids are too sparse for a table
+  std::vector<Index> dense_;                     ///< position of the number first_ + i, or -1
+  std::vector<std::pair<Index, Index>> sorted_;  ///< (number, position), if the numbers are too sparse for a table
   std::optional<Index> duplicate_;
 };
 
@@ -55,22 +57,22 @@ constexpr ShapeTraits traits(Shape shape) {
   return {};
 }
 
-/// Face `face` of a listed solid cell, in the order of fem/cell.hpp.
+/// Face `face` of a listed solid cell, numbered as in fem/cell.hpp.
 struct ListedFace {
   Index cell;
   int face;
 };
 
-/// What a file puts into a set. All numbers are positions in the ListedMesh.
+/// The contents of a set. All numbers are positions in the ListedMesh.
 struct ListedSet {
   std::string name;
   std::vector<Index> vertices;
   std::vector<Index> cells;
   std::vector<ListedFace> faces;
-  std::string_view kind = {};  ///< one of base/set_name.hpp, where the format has sets of several kinds
+  std::string_view kind = {};  ///< a kind of base/set_name.hpp, if the format has sets of several kinds
 };
 
-/// Cells name their vertices by the file's own numbers; sets and supports hold positions.
+/// The mesh. Cells refer to vertices by the file's own numbers; sets and supports by positions.
 struct ListedMesh {
   std::vector<std::array<double, 3>> points;
   std::vector<Index> vertex_ids;
@@ -84,7 +86,7 @@ struct ListedMesh {
   std::vector<Region> regions;
   std::vector<ListedSet> sets;
   std::vector<FileSupport> supports;
-  std::vector<std::string> notes;  ///< what a careful user is told of the file, a sentence each
+  std::vector<std::string> notes;  ///< warnings about the file, one sentence each
 
   std::span<const Index> vertices_of(Index cell) const {
     const auto begin = cell_offsets[static_cast<std::size_t>(cell)];
@@ -94,36 +96,38 @@ struct ListedMesh {
 };
 
 void add_vertex(ListedMesh& mesh, Index id, const std::array<double, 3>& point, Place place);
-/// `vertices` in the order of fem/cell.hpp.
+/// Adds a cell, whose `vertices` are in the order of fem/cell.hpp.
 void add_cell(ListedMesh& mesh, Shape shape, Index id, std::span<const Index> vertices, Place place);
 
-/// From the file's own numbers to positions, of vertices and of cells.
+/// Maps from the file's numbers to positions, for vertices and for cells.
 struct Numbering {
   IdMap vertices;
   IdMap cells;
 };
 
-/// Throws InputError when the file lists no vertices, or a number twice.
+/// The maps of a mesh. Throws InputError when the file lists no vertices, or a number twice.
 Numbering numbering(const Sources& sources, const ListedMesh& mesh);
 
-/// The mesh, checked: every number once, every vertex of a cell present and not twice in it, at least one solid cell.
-/// Solid cells without a region go into one named "default"; empty sets are left out. Throws InputError.
+/// Checks the mesh and returns it: every number is unique, every vertex of a cell exists and occurs once in it, and
+/// there is at least one solid cell. Solid cells without a region get the region "default"; empty sets are left out.
+/// Throws InputError.
 FileMesh finish(const Sources& sources, ListedMesh mesh);
 
-/// `material` if what it states can exist (young > 0, -1 < poisson < 1/2, density > 0), else an InputError at `place`.
+/// Returns `material` if it is possible (young > 0, -1 < poisson < 1/2, density > 0), else throws InputError at
+/// `place`.
 FileMaterial checked(const Sources& sources, Place place, const FileMaterial& material);
 
-/// The user's word on something of the file that changes the physics and that ritz cannot do. `word` (in capitals,
-/// without blanks) is what -ignore would name, `what` says what it is and what ritz lacks ("*TIE joins surfaces, which
-/// ritz cannot do"). Adds a note where the word is ignored, else throws InputError at `place` that names -ignore.
+/// Handles something in the file that changes the physics and that ritz does not support. `word` (in capitals, without
+/// blanks) is its name for -ignore; `what` says what it is and what ritz lacks ("*TIE joins surfaces, which ritz cannot
+/// do"). Adds a note if `ignored` has the word, else throws an InputError at `place` that names -ignore.
 void leave_out(const Sources& sources, Place place, const std::string& word, const std::string& what,
                const Ignored& ignored, ListedMesh& mesh);
 
-/// Sets of several kinds that share one name become "KIND:NAME" each, with a note that says what the name alone means.
-/// Throws InputError where that is the name of another set.
+/// Renames sets of several kinds that share a name to "KIND:NAME", with a note that says what the name alone means.
+/// Throws InputError when another set has that name already.
 void tell_kinds_apart(const Sources& sources, ListedMesh& mesh);
 
-/// Every set that is not empty, as vertices and faces. `mesh.cell_vertices` holds positions.
+/// All sets that are not empty, as vertices and faces. `mesh.cell_vertices` must hold positions.
 std::vector<NamedSet> gather_sets(const ListedMesh& mesh);
 
 }  // namespace ritz::readers

@@ -1,4 +1,4 @@
-// A .msh file as it is read: its encoding, element types and physical groups, and the sections of each version.
+// The parts of a reader of .msh files: encoding, element types, physical groups, and the sections of each version.
 #pragma once
 #include <map>
 
@@ -9,7 +9,7 @@ namespace ritz::readers {
 
 enum class MshEncoding { text, binary };
 
-/// A cursor that knows how numbers are written.
+/// A cursor that knows how numbers are encoded.
 struct MshInput {
   Cursor cursor;
   MshEncoding encoding = MshEncoding::text;
@@ -17,12 +17,12 @@ struct MshInput {
   Index integer(std::string_view what);  ///< 4 bytes when binary
   Index size(std::string_view what);     ///< 8 bytes when binary
   double real(std::string_view what);
-  /// A count (as size) of things of at least `values` numbers each. Checked against what is left of the file.
+  /// Reads a count (as size()) of items of at least `values` numbers each, and checks it against the rest of the file.
   Index count(std::string_view what, Index values);
-  /// Throws unless so many things of so many numbers can be in the rest of the file.
+  /// Throws InputError unless `count` items of `values` numbers each fit into the rest of the file.
   void check_count(Index count, std::string_view what, Index values) const;
-  void begin_record();  ///< skips line ends in text
-  void end_record();    ///< the line must end here in text
+  void begin_record();  ///< in text: skips line ends
+  void end_record();    ///< in text: the line must end here
   void open_binary();   ///< after a count that is text in both encodings
   void close_section(std::string_view name);
 
@@ -30,40 +30,41 @@ struct MshInput {
   [[noreturn]] void fail(const std::string& message) const { cursor.fail(message); }
 };
 
-/// Moves past a section whose first line has been read, at `place`. Binary data may contain anything, also line ends
-/// and
+/// Skips a section whose first line, at `place`, has been read. Binary data may contain anything, also line ends and
 /// "$End", and need not end with a line break. Throws InputError for a section without an end.
 void skip_msh_section(const Sources& sources, MshInput& input, const std::string& name, Place place);
 
-/// The shape of Gmsh's element type `type`. Throws InputError naming a type that ritz has no element for.
+/// The shape of Gmsh's element type `type`. Throws an InputError that names a type for which ritz has no element.
 Shape msh_shape(const MshInput& input, Index type);
 
-/// Turns Gmsh's order of a cell's vertices into that of fem/cell.hpp.
+/// Reorders the vertices of a cell from Gmsh's order to that of fem/cell.hpp.
 void reorder_from_msh(Shape shape, std::span<Index> vertices);
 
-/// Puts the cell listed last into a physical group; tag 0 is none, a negative one its reverse.
+/// Adds the cell that was listed last to a physical group. Tag 0 means none; a negative tag is the group with reversed
+/// orientation.
 void join_physical(Groups& groups, ListedMesh& mesh, Index tag);
 
-/// The body of $PhysicalNames.
+/// Reads the section $PhysicalNames.
 void read_physical_names(MshInput& input, Groups& groups);
 
-/// A .msh file as far as it has been read.
+/// A .msh file while it is being read.
 struct MshFile {
   MshInput input;
   ListedMesh mesh;
   Groups groups;
   std::map<Groups::Key, std::vector<Index>> entities;  ///< 4.1: (dimension, entity) -> physical tags
-  /// 4.1: how many cells of groups may follow. An entity in very many groups would have few bytes and much memory.
+  /// 4.1: how many memberships of cells in groups are still allowed. An entity in very many groups would take few bytes
+  /// in the file but much memory.
   std::size_t memberships_left = 0;
 };
 
-/// $Nodes and, with where each vertex lies on the geometry, $ParametricNodes.
+/// Reads $Nodes and $ParametricNodes; the latter also says where each vertex lies on the geometry.
 void read_msh2_nodes(MshFile& msh);
 void read_msh2_parametric_nodes(MshFile& msh);
 void read_msh2_elements(MshFile& msh);
 
 void read_msh4_entities(MshFile& msh);
-/// A partitioned mesh has entities of its own, with their parents and partitions.
+/// Reads the entities of a partitioned mesh, which have parents and partitions.
 void read_msh4_partitioned_entities(MshFile& msh);
 void read_msh4_nodes(MshFile& msh);
 void read_msh4_elements(MshFile& msh);
