@@ -4,10 +4,10 @@
 #include <cstdio>
 #include <functional>
 
+#include "ritz/algebra/dense.hpp"
+#include "ritz/algebra/session.hpp"
 #include "ritz/mesh/halo.hpp"
 #include "ritz/mesh/read.hpp"
-#include "ritz/petsc/dense.hpp"
-#include "ritz/petsc/session.hpp"
 #include "ritz/stages/derivative_loads.hpp"
 #include "ritz/stages/fixed_vectors.hpp"
 #include "ritz/stages/reduce_polynomial.hpp"
@@ -42,7 +42,7 @@ double dsyrk_rate(int r) {
   Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(size, size);
   constexpr int calls = 20;
   const double time = seconds([&] {
-    for (int n = 0; n < calls; ++n) petsc::add_gram(gram, strains);
+    for (int n = 0; n < calls; ++n) algebra::add_gram(gram, strains);
   });
   return calls * strains_at_once * flops_a_strain(r) / time;
 }
@@ -55,14 +55,14 @@ void measure(const char* text, int points) {
   const auto problem = stages::assemble(std::move(read), std::move(numbered), {{fem::StVK{1e6, .3}, 1000}});
   const auto& [mesh, dofs, materials, matrices] = problem;
   for (const int r : {20, 30, 40}) {
-    const petsc::Tall u = stages::fixed_vectors(mesh, dofs, r, 1);
+    const algebra::Tall u = stages::fixed_vectors(mesh, dofs, r, 1);
     const double time = seconds([&] { stages::reduce_polynomial(problem, *stages::polynomial_laws(materials), u); });
     const double rate = 6.0 * points * static_cast<double>(mesh.cells_total) * flops_a_strain(r) / time;
     const double dsyrk = dsyrk_rate(r);
     std::printf("%-28s r = %2d  polynomial %6.2f s, %5.1f GF/s, dsyrk %5.1f GF/s: ratio %.2f\n", text, r, time,
                 rate / 1e9, dsyrk / 1e9, rate / dsyrk);
   }
-  const petsc::Tall modes = mesh::with_ghosts(
+  const algebra::Tall modes = mesh::with_ghosts(
       mesh, mesh::to_vertices(mesh, dofs, stages::fixed_vectors(mesh, dofs, 20, 1)), mesh::components);
   const auto pairs = stages::pairs_of_rows(0, 20, 20).size();
   const double time = seconds([&] { stages::derivative_loads(problem, modes, 0, 20); });
@@ -73,7 +73,7 @@ void measure(const char* text, int points) {
 }  // namespace
 
 int main(int, char** argv) {
-  const ritz::petsc::Session session(argv[0]);
+  const ritz::algebra::Session session(argv[0]);
   measure("box:4,1,1/40,10,10/tet4", 1);
   measure("box:4,1,1/16,4,4/tet10", 4);
   measure("box:4,1,1/24,6,6/hex8", 8);

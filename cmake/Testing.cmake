@@ -41,7 +41,7 @@ endfunction()
 
 ritz_test_library(serial_main SOURCES "${PROJECT_SOURCE_DIR}/tests/support/serial_main.cpp" LINKS Eigen3::Eigen)
 if(RITZ_PRECOMPUTE)
-  ritz_test_library(mpi_main SOURCES "${PROJECT_SOURCE_DIR}/tests/support/mpi_main.cpp" LINKS ritz_petsc)
+  ritz_test_library(mpi_main SOURCES "${PROJECT_SOURCE_DIR}/tests/support/mpi_main.cpp" LINKS ritz_algebra)
 endif()
 set(RITZ_MPI_ENVIRONMENT
   OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_hwloc_base_binding_policy=none

@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-MPI = {"format_mpi", "parallel", "petsc", "mesh", "stages", "config", "app"}
+MPI = {"format_mpi", "parallel", "algebra", "mesh", "stages", "config", "app"}
 WIDTH, HEIGHT = 1.7, .55  # of a box
 
 

@@ -46,12 +46,12 @@ std::string obstacle(const format::ModelReader& in, const Wanted& now) {
 }
 
 /// The rows of this rank's vertices of these columns.
-petsc::Tall read_rows(const format::ModelReader& in, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
-                      std::optional<std::vector<format::Index>> columns) {
+algebra::Tall read_rows(const format::ModelReader& in, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
+                        std::optional<std::vector<format::Index>> columns) {
   format::BasisSelection selection;
   selection.columns = std::move(columns);
   selection.vertices.emplace(mesh.file_positions.begin(), mesh.file_positions.begin() + mesh.owned);
-  const petsc::Tall u = format::read_basis(in, selection).U;
+  const algebra::Tall u = format::read_basis(in, selection).U;
   return mesh::from_vertices(mesh, dofs, u);
 }
 
@@ -80,7 +80,7 @@ FinishedBasis read_finished(const format::ModelReader& in, const mesh::Mesh& mes
 
 Earlier reuse(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
               const fem::Materials& materials, const stages::ModesOptions& options, Progress& progress) {
-  Earlier earlier{petsc::Tall(dofs.owned, 0), {}};
+  Earlier earlier{algebra::Tall(dofs.owned, 0), {}};
   if (!config.reuse) return earlier;
   const Wanted now{checksums(mesh, dofs, materials), resolved(config, mesh, options.strategy), config.solver,
                    config.exported};

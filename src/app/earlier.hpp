@@ -2,11 +2,11 @@
 #pragma once
 #include <optional>
 
+#include "ritz/algebra/multivector.hpp"
 #include "ritz/app/progress.hpp"
 #include "ritz/app/reduced_parts.hpp"
 #include "ritz/config/config.hpp"
 #include "ritz/mesh/dofs.hpp"
-#include "ritz/petsc/multivector.hpp"
 
 namespace ritz::app {
 

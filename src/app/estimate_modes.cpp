@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "ritz/algebra/panel.hpp"
+#include "ritz/algebra/speed.hpp"
 #include "ritz/app/estimate.hpp"
 #include "ritz/base/shown.hpp"
 #include "ritz/files/summary.hpp"
 #include "ritz/parallel/comm.hpp"
-#include "ritz/petsc/panel.hpp"
-#include "ritz/petsc/speed.hpp"
 #include "ritz/stages/eigen_strategy.hpp"
 
 namespace ritz::app {
@@ -30,8 +30,8 @@ constexpr double base_memory = 70e6;         ///< of a rank that holds nothing, 
 
 ModesEstimate direct(const Workload& work) {
   const stages::ModesOptions& options = work.modes;
-  const petsc::FactorEstimate f =
-      petsc::Factorization(work.problem.mesh.comm, "solve_").analyse(work.problem.matrices.stiffness);
+  const algebra::FactorEstimate f =
+      algebra::Factorization(work.problem.mesh.comm, "solve_").analyse(work.problem.matrices.stiffness);
   const double pairs = options.count + stages::spare_pairs, columns = pairs * columns_per_mode;
   const double vector = 8 * work.rows, found = 2 * pairs * vector;
   const double krylov = std::max(2 * pairs, pairs + 20 * options.block) * vector;
@@ -53,17 +53,17 @@ ModesEstimate direct(const Workload& work) {
 
 ModesEstimate iterative(const Workload& work) {
   const double width = stages::iterative_block(work.modes.count + stages::spare_pairs);
-  const double product = parallel::max(work.problem.mesh.comm, petsc::panel_seconds(work.problem.matrices.stiffness));
-  const double step =
-      width / petsc::panel_width * products_per_panel * product + flops_per_row * work.rows * width * width / work.rate;
+  const double product = parallel::max(work.problem.mesh.comm, algebra::panel_seconds(work.problem.matrices.stiffness));
+  const double step = width / algebra::panel_width * products_per_panel * product +
+                      flops_per_row * work.rows * width * width / work.rate;
   ModesEstimate estimate;
   estimate.stage = {"modes", lobpcg_steps * step,
                     (1 + hierarchy) * work.held + 8 * work.rows * columns_per_column * width,
                     "multigrid and about " + std::to_string(static_cast<int>(lobpcg_steps)) + " steps of LOBPCG"};
   if (work.modes.inverse == stages::InverseUse::kept) estimate.inverse_memory = hierarchy * work.held;
-  estimate.inverse_seconds = cycles_per_solve * products_per_cycle * product / petsc::panel_width;
+  estimate.inverse_seconds = cycles_per_solve * products_per_cycle * product / algebra::panel_width;
   estimate.newton_memory = hierarchy * work.held;
-  estimate.newton_seconds = estimate.inverse_seconds * petsc::panel_width;
+  estimate.newton_seconds = estimate.inverse_seconds * algebra::panel_width;
   return estimate;
 }
 
@@ -74,8 +74,8 @@ Workload workload(const config::Config& config, const stages::Problem& problem, 
   return {config,
           problem,
           modes,
-          petsc::dgemm_rate(),
-          petsc::memory_rate(),
+          algebra::dgemm_rate(),
+          algebra::memory_rate(),
           ranks,
           1 + parallel_efficiency * (ranks - 1),
           total,

@@ -2,9 +2,9 @@
 
 #include <string>
 
+#include "ritz/algebra/write_matrix.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/parallel/redistribute.hpp"
-#include "ritz/petsc/write_matrix.hpp"
 
 namespace ritz::app {
 namespace {
@@ -33,15 +33,15 @@ std::vector<std::filesystem::path> exported_files(const config::Config& config) 
 }
 
 std::vector<PendingFile> export_matrices(const config::Config& config, const stages::Problem& problem,
-                                         const petsc::Tall& modes) {
+                                         const algebra::Tall& modes) {
   const auto order = numbers_in_file_order(problem.mesh, problem.dofs);
-  const auto format = config.exported == config::Export::matrixmarket ? petsc::MatrixFormat::matrixmarket
-                                                                      : petsc::MatrixFormat::petsc_binary;
+  const auto format = config.exported == config::Export::matrixmarket ? algebra::MatrixFormat::matrixmarket
+                                                                      : algebra::MatrixFormat::petsc_binary;
   std::vector<PendingFile> files;
   for (const auto& path : exported_files(config)) files.emplace_back(problem.mesh.comm, path);
-  petsc::write_matrix(files[0].part(), problem.matrices.stiffness, order, format);
-  petsc::write_matrix(files[1].part(), problem.matrices.mass, order, format);
-  petsc::write_columns(files[2].part(), problem.mesh.comm, modes, order, format);
+  algebra::write_matrix(files[0].part(), problem.matrices.stiffness, order, format);
+  algebra::write_matrix(files[1].part(), problem.matrices.mass, order, format);
+  algebra::write_columns(files[2].part(), problem.mesh.comm, modes, order, format);
   for (const auto& file : files) file.finish();
   return files;
 }

@@ -16,6 +16,6 @@ std::vector<std::filesystem::path> exported_files(const config::Config& config);
 /// *Collective*. Writes these files, which the caller publishes. Rows are the free degrees of freedom, ordered by
 /// vertex in the mesh file and then by component.
 std::vector<PendingFile> export_matrices(const config::Config& config, const stages::Problem& problem,
-                                         const petsc::Tall& modes);
+                                         const algebra::Tall& modes);
 
 }  // namespace ritz::app

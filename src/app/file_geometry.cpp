@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "ritz/algebra/multivector.hpp"
 #include "ritz/parallel/comm.hpp"
-#include "ritz/petsc/multivector.hpp"
 
 namespace ritz::app {
 namespace {
@@ -20,8 +20,8 @@ std::vector<std::uint8_t> stored(const mesh::Mesh& mesh, config::StoredRows rows
   std::vector<int64_t> touched;
   for (const auto face : mesh.boundary)
     for (const int v : mesh::face_vertices(mesh, face)) touched.push_back(mesh.global[static_cast<std::size_t>(v)]);
-  const petsc::Tall ones = petsc::Tall::Ones(static_cast<Eigen::Index>(touched.size()), 1);
-  const petsc::Tall counts = petsc::accumulate(mesh.comm, touched, ones, mesh.owned);
+  const algebra::Tall ones = algebra::Tall::Ones(static_cast<Eigen::Index>(touched.size()), 1);
+  const algebra::Tall counts = algebra::accumulate(mesh.comm, touched, ones, mesh.owned);
   for (int v = 0; v < mesh.owned; ++v) keep[static_cast<std::size_t>(v)] = counts(v, 0) > 0;
   return keep;
 }

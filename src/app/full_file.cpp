@@ -104,7 +104,7 @@ LastState read_last_state(const std::filesystem::path& path, const mesh::Mesh& m
   Eigen::Index part = 0;
   for (mesh::VertexRows* column : {&state.u, &state.v, &state.a}) {
     const parallel::RowMatrix three = mine.middleCols(mesh::components * part++, mesh::components);
-    *column = Eigen::Map<const petsc::Tall>(three.data(), three.size(), 1);
+    *column = Eigen::Map<const algebra::Tall>(three.data(), three.size(), 1);
   }
   return state;
 }

@@ -50,7 +50,7 @@ void FullRecorder::step(const stages::DynamicState& state, const Effort& so_far)
 }
 
 void FullRecorder::record(const stages::DynamicState& state) {
-  const petsc::Tall u = mesh::to_vertices(mesh_, dofs_, state.u);
+  const algebra::Tall u = mesh::to_vertices(mesh_, dofs_, state.u);
   const auto& e = state.energies;
   Eigen::VectorXd energies(5);
   energies << e.kinetic, e.elastic, e.work, e.dissipated, e.drift();
@@ -65,7 +65,7 @@ void FullRecorder::record(const stages::DynamicState& state) {
 
 void FullRecorder::finish(const stages::DynamicState& last, const std::string& problem_checksum) {
   const auto& e = last.energies;
-  const auto whole = [&](const petsc::Tall& x) { return mesh::to_vertices(mesh_, dofs_, x); };
+  const auto whole = [&](const algebra::Tall& x) { return mesh::to_vertices(mesh_, dofs_, x); };
   file_.keep({.kind = kind_,
               .integrator = integrator_,
               .numbers = {{"t", last.t},

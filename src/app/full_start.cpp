@@ -34,9 +34,9 @@ std::string integrator_name(const scene::Scene& scene) {
   return time ? name_of(time->integrator.value_or(scene::Integrator::avf)) : "none";
 }
 
-petsc::LinearSolver linear_solver(const config::Config& config, const mesh::Dofs& dofs) {
-  return choose_strategy(config, dofs).strategy == stages::Strategy::direct ? petsc::LinearSolver::direct
-                                                                            : petsc::LinearSolver::iterative;
+algebra::LinearSolver linear_solver(const config::Config& config, const mesh::Dofs& dofs) {
+  return choose_strategy(config, dofs).strategy == stages::Strategy::direct ? algebra::LinearSolver::direct
+                                                                            : algebra::LinearSolver::iterative;
 }
 
 scene::Scene read_scene(MPI_Comm comm, const std::filesystem::path& path) {
@@ -62,10 +62,10 @@ scene::Scene read_full_scene(MPI_Comm comm, const std::filesystem::path& path) {
 
 stages::DynamicState first_state(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
                                  const scene::Scene& scene, const std::string& problem_checksum) {
-  const petsc::Tall zeros = petsc::Tall::Zero(dofs.owned, 1);
+  const algebra::Tall zeros = algebra::Tall::Zero(dofs.owned, 1);
   if (!config.full.restart) return {0, zeros, zeros, zeros, {}};
   const LastState last = read_last_state(*config.full.restart, mesh, problem_checksum);
-  const auto free = [&](const petsc::Tall& u) { return mesh::from_vertices(mesh, dofs, u); };
+  const auto free = [&](const algebra::Tall& u) { return mesh::from_vertices(mesh, dofs, u); };
   const bool moves = std::holds_alternative<scene::Time>(scene.analysis);
   if (!moves && last.kind == StateKind::moving)
     throw InputError("-restart " + config.full.restart->string() +
@@ -75,7 +75,7 @@ stages::DynamicState first_state(const config::Config& config, const mesh::Mesh&
   return {n.at("t"),
           free(last.u),
           free(last.v),
-          last.integrator == integrator_name(scene) ? free(last.a) : petsc::Tall(dofs.owned, 0),
+          last.integrator == integrator_name(scene) ? free(last.a) : algebra::Tall(dofs.owned, 0),
           {n.at("kinetic"), n.at("elastic"), n.at("work"), n.at("dissipated"), n.at("start")}};
 }
 

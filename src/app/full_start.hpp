@@ -7,7 +7,7 @@
 namespace ritz::app {
 
 /// *Collective*. The linear solver that -solver asks for, or by default one that fits.
-petsc::LinearSolver linear_solver(const config::Config& config, const mesh::Dofs& dofs);
+algebra::LinearSolver linear_solver(const config::Config& config, const mesh::Dofs& dofs);
 
 /// *Collective*. Reads a scene, replicated on all ranks. Throws InputError on all ranks.
 scene::Scene read_scene(MPI_Comm comm, const std::filesystem::path& path);

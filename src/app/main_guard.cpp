@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <new>
 
+#include "ritz/algebra/options.hpp"
+#include "ritz/algebra/session.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/base/printable.hpp"
 #include "ritz/config/command_line.hpp"
@@ -10,8 +12,6 @@
 #include "ritz/files/interruption.hpp"
 #include "ritz/format/library.hpp"
 #include "ritz/parallel/comm.hpp"
-#include "ritz/petsc/options.hpp"
-#include "ritz/petsc/session.hpp"
 
 namespace ritz::app {
 namespace {
@@ -46,17 +46,17 @@ int guarded(MPI_Comm comm, const std::string& program, const std::function<void(
 
 int run_program(int argc, char** argv, config::Program program,
                 const std::function<void(MPI_Comm, const config::Config&)>& work) {
-  petsc::restart_with_one_blas_thread(argv);
+  algebra::restart_with_one_blas_thread(argv);
   const std::string name = program == config::Program::full ? "ritz-full" : "ritz-reduce";
   format::silence_library();
-  const petsc::Session session(argv[0]);
+  const algebra::Session session(argv[0]);
   const int code = guarded(session.comm(), name, [&] {
     const auto line = config::read_command_line(session.comm(), argc, argv);
     if (line.asked == config::Asked::help) {
       if (parallel::rank(session.comm()) == 0) std::fputs(config::help_text(name).c_str(), stdout);
       return;
     }
-    petsc::take_blas_memory();
+    algebra::take_blas_memory();
     auto config = config::read_config(session.comm(), line.given, program);
     config.option_files = line.files;
     for (const auto& source : session.unread())
@@ -64,7 +64,7 @@ int run_program(int argc, char** argv, config::Program program,
                                 " are not read; name a file by -options_file, or delete it");
     work(session.comm(), config);
   });
-  if (code == exit_input) petsc::clear_option("log_view");
+  if (code == exit_input) algebra::clear_option("log_view");
   return code;
 }
 

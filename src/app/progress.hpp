@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "ritz/algebra/session.hpp"
 #include "ritz/config/config.hpp"
 #include "ritz/model/model.hpp"
-#include "ritz/petsc/session.hpp"
 
 namespace ritz::app {
 
@@ -21,7 +21,7 @@ class Progress {
   /// Runs one stage of the pipeline, and names it in -log_view, times it and announces it.
   template <class Work>
   auto stage(const std::string& name, Work work) {
-    const petsc::LogStage log(name);
+    const algebra::LogStage log(name);
     const Timer timer(*this, name);
     return work();
   }

@@ -17,7 +17,7 @@ stages::PolynomialLaws polynomial_laws(const stages::Problem& problem) {
 }
 
 double taylor(const stages::Problem& problem, const stages::ModesResult& modes, const std::vector<int>& chosen) {
-  const petsc::Tall entering = stages::entering_modes(modes, chosen).vectors;
+  const algebra::Tall entering = stages::entering_modes(modes, chosen).vectors;
   return stages::taylor_witness({problem, modes, entering, static_cast<int>(entering.cols())});
 }
 
@@ -41,7 +41,7 @@ ReducedBasis reduce_basis(const config::Config& config, const stages::Problem& p
                           const stages::ModesResult& modes, const std::optional<stages::StaticPath>& path,
                           Progress& progress) {
   if (!config.basis) return {modes.vectors, {}, {}};
-  petsc::Tall snapshots(problem.dofs.owned, 0);
+  algebra::Tall snapshots(problem.dofs.owned, 0);
   if (config.snapshots) snapshots = read_snapshots(*config.snapshots, problem.mesh, problem.dofs);
   const auto told = [&](const std::string& what, double fraction) { progress.update(what, fraction); };
   auto basis = progress.stage("basis", [&] {

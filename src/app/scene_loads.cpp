@@ -12,7 +12,7 @@ namespace {
 Eigen::Vector3d vector(const scene::Vector3& v) { return {v[0], v[1], v[2]}; }
 
 struct Term {
-  petsc::Tall force;
+  algebra::Tall force;
   std::optional<scene::Table> table;
 };
 
@@ -21,22 +21,22 @@ struct UnitLoad {
   const mesh::Mesh& mesh;
   const scene::Target& target;
 
-  petsc::Tall operator()(const scene::TotalForce& f) const {
+  algebra::Tall operator()(const scene::TotalForce& f) const {
     if (const auto* name = std::get_if<std::string>(&target))
       return stages::shared_force(mesh, find_set(mesh, *name), vector(f.newton));
     const auto id = std::get<std::int64_t>(target);
     require_vertex(mesh, id);
     return stages::vertex_force(mesh, id, vector(f.newton));
   }
-  petsc::Tall operator()(const scene::EachForce& f) const {
+  algebra::Tall operator()(const scene::EachForce& f) const {
     const auto* name = std::get_if<std::string>(&target);
     const double vertices = name ? static_cast<double>(find_set(mesh, *name).vertices_total) : 1;
     return (*this)(scene::TotalForce{f.newton}) * vertices;
   }
-  petsc::Tall operator()(const scene::Pressure& p) const {
+  algebra::Tall operator()(const scene::Pressure& p) const {
     return stages::pressure_force(mesh, find_surface(mesh, std::get<std::string>(target), "pressure"), p.pascal);
   }
-  petsc::Tall operator()(const scene::Traction& t) const {
+  algebra::Tall operator()(const scene::Traction& t) const {
     return stages::traction_force(mesh, find_surface(mesh, std::get<std::string>(target), "traction"),
                                   vector(t.pascal));
   }
@@ -47,7 +47,7 @@ struct UnitLoad {
 stages::LoadAt scene_loads(const scene::Scene& scene, const stages::Problem& problem) {
   const mesh::Mesh& mesh = problem.mesh;
   std::vector<Term> terms;
-  const auto add = [&](const petsc::Tall& force, const std::optional<scene::Table>& table) {
+  const auto add = [&](const algebra::Tall& force, const std::optional<scene::Table>& table) {
     terms.push_back({mesh::from_vertices(mesh, problem.dofs, force), table});
   };
   for (const auto& load : scene.loads) add(std::visit(UnitLoad{mesh, load.target}, load.kind), load.table);
@@ -55,7 +55,7 @@ stages::LoadAt scene_loads(const scene::Scene& scene, const stages::Problem& pro
   if (scene.shake)
     add(stages::body_force(mesh, problem.matrices.scalar_mass, -vector(scene.shake->direction)), scene.shake->table);
   return [terms, &scene, rows = problem.dofs.owned](double t) {
-    petsc::Tall force = petsc::Tall::Zero(rows, 1);
+    algebra::Tall force = algebra::Tall::Zero(rows, 1);
     for (const auto& term : terms) force += scene::factor(scene, term.table, t) * term.force;
     return force;
   };

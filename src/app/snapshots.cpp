@@ -82,9 +82,9 @@ std::unique_ptr<Snapshots> open_for(const mesh::Mesh& mesh, const std::filesyste
   return in;
 }
 
-petsc::Tall read_rows(const std::filesystem::path& file, const mesh::Mesh& mesh) {
+algebra::Tall read_rows(const std::filesystem::path& file, const mesh::Mesh& mesh) {
   const auto in = open_for(mesh, file);
-  petsc::Tall u(mesh::components * mesh.owned, in->count);
+  algebra::Tall u(mesh::components * mesh.owned, in->count);
   Row row(in->length);
   for (std::int64_t s = 0; s < in->count; ++s) {
     in->read(s, row);
@@ -99,7 +99,7 @@ petsc::Tall read_rows(const std::filesystem::path& file, const mesh::Mesh& mesh)
 }  // namespace
 
 mesh::FreeRows read_snapshots(const std::filesystem::path& file, const mesh::Mesh& mesh, const mesh::Dofs& dofs) {
-  petsc::Tall u;
+  algebra::Tall u;
   parallel::together(mesh.comm, [&] { u = read_rows(file, mesh); });
   return mesh::from_vertices(mesh, dofs, u);
 }

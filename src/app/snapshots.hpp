@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <filesystem>
 
+#include "ritz/algebra/multivector.hpp"
 #include "ritz/mesh/dofs.hpp"
-#include "ritz/petsc/multivector.hpp"
 
 namespace ritz::app {
 

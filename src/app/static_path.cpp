@@ -12,7 +12,7 @@ namespace {
 constexpr int levels = 4;
 
 /// The loads of a scene when they are largest. Tables are straight between their points: one of these it is.
-petsc::Tall largest_load(const scene::Scene& scene, const stages::LoadAt& load, MPI_Comm comm) {
+algebra::Tall largest_load(const scene::Scene& scene, const stages::LoadAt& load, MPI_Comm comm) {
   if (std::holds_alternative<scene::Static>(scene.analysis)) return load(1);
   const double end = std::get<scene::Time>(scene.analysis).end;
   std::vector<double> times = {0, end};
@@ -23,9 +23,9 @@ petsc::Tall largest_load(const scene::Scene& scene, const stages::LoadAt& load, 
   for (const auto& one : scene.loads)
     if (one.table) note(*one.table);
   if (scene.shake) note(scene.shake->table);
-  petsc::Tall largest = load(0);
+  algebra::Tall largest = load(0);
   for (const double t : times)
-    if (auto now = load(t); petsc::column_norms(comm, now)[0] > petsc::column_norms(comm, largest)[0])
+    if (auto now = load(t); algebra::column_norms(comm, now)[0] > algebra::column_norms(comm, largest)[0])
       largest = std::move(now);
   return largest;
 }
@@ -38,15 +38,15 @@ std::optional<stages::StaticPath> static_path(const config::Config& config, cons
   const mesh::Dofs& dofs = problem.dofs;
   return progress.stage("full statics", [&] {
     const auto most = largest_load(*scene, scene_loads(*scene, problem), dofs.comm);
-    if (petsc::column_norms(dofs.comm, most)[0] == 0)
+    if (algebra::column_norms(dofs.comm, most)[0] == 0)
       throw InputError("option -accuracy_scene " + config.accuracy->scene.string() +
                        ": its loads do not push the body; give it a [[load]] or gravity");
     auto model = stages::full_model(problem, linear_solver(config, dofs));
-    stages::StaticPath path{petsc::Tall(dofs.owned, levels), petsc::Tall(dofs.owned, levels)};
+    stages::StaticPath path{algebra::Tall(dofs.owned, levels), algebra::Tall(dofs.owned, levels)};
     int level = 0;
     stages::full_statics(
-        model, {.steps = levels}, {0, petsc::Tall::Zero(dofs.owned, 1), 0},
-        [&](double fraction) -> petsc::Tall { return fraction * most; },
+        model, {.steps = levels}, {0, algebra::Tall::Zero(dofs.owned, 1), 0},
+        [&](double fraction) -> algebra::Tall { return fraction * most; },
         [&](const stages::StaticState& state, const stages::StaticReport&) {
           path.loads.col(level) = state.fraction * most;
           path.truth.col(level++) = state.u;

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "ritz/algebra/session.hpp"
 #include "ritz/app/plausible.hpp"
 #include "ritz/mesh/quality.hpp"
 #include "ritz/parallel/comm.hpp"
-#include "ritz/petsc/session.hpp"
 
 namespace ritz::app {
 namespace {
@@ -42,7 +42,7 @@ std::vector<std::string> warnings(const config::Config& config, const mesh::Mesh
     notes.push_back(
         "nothing holds the body: there is no -fix, and the mesh states no supports; hold it with -fix SET, or say -fix "
         "none for a free body");
-  if (!petsc::blas_is_openblas())
+  if (!algebra::blas_is_openblas())
     notes.push_back(
         "the BLAS that is loaded is not OpenBLAS; with the reference BLAS factorizations take several times longer "
         "(Debian: libopenblas-dev)");

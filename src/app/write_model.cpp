@@ -19,12 +19,12 @@ namespace ritz::app {
 namespace {
 
 model::Provenance provenance(const config::Config& config, const mesh::Mesh& mesh, stages::Strategy strategy) {
-  return {std::string("ritz-reduce ") + version, petsc::library_versions(), resolved(config, mesh, strategy),
+  return {std::string("ritz-reduce ") + version, algebra::library_versions(), resolved(config, mesh, strategy),
           parallel::size(mesh.comm)};
 }
 
 /// Column by column: all at once would be several copies of U, and more numbers than one message may have.
-void write_columns(format::ModelWriter& out, MPI_Comm comm, const FileGeometry& order, const petsc::Tall& u) {
+void write_columns(format::ModelWriter& out, MPI_Comm comm, const FileGeometry& order, const algebra::Tall& u) {
   const auto source = [&](format::Index column, std::span<double> values) {
     const parallel::RowMatrix rows = order.to_file(comm, by_vertex(u.col(column)));
     std::copy(rows.data(), rows.data() + rows.size(), values.begin());

@@ -14,7 +14,7 @@ namespace ritz::app {
 /// The results of the pipeline.
 struct Results {
   const stages::ModesResult& modes;
-  const petsc::Tall& u;  ///< the basis over owned vertices
+  const algebra::Tall& u;  ///< the basis over owned vertices
   const ReducedBasis& basis;
   const std::optional<ReducedPolynomial>& polynomial;
   const model::Inertia& inertia;

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
+#include "ritz/algebra/eigensolver.hpp"
+#include "ritz/algebra/newton.hpp"
+#include "ritz/algebra/options.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/base/nearest.hpp"
 #include "ritz/base/printable.hpp"
 #include "ritz/config/option_table.hpp"
 #include "ritz/config/solver_options.hpp"
-#include "ritz/petsc/eigensolver.hpp"
-#include "ritz/petsc/newton.hpp"
-#include "ritz/petsc/options.hpp"
 
 namespace ritz::config {
 namespace {
@@ -46,16 +46,16 @@ bool is_monitor(const std::string& name) { return small_letters(name).find("_mon
 /// The solvers meet their options here first: what they object to is input, whatever they call it.
 void read_settings(MPI_Comm comm) {
   try {
-    petsc::read_eigensolver_options(comm);
-    petsc::read_factorization_options(comm, "solve_");
-    petsc::read_multigrid_options(comm, "multigrid_");
-    petsc::read_newton_options(comm);
+    algebra::read_eigensolver_options(comm);
+    algebra::read_factorization_options(comm, "solve_");
+    algebra::read_multigrid_options(comm, "multigrid_");
+    algebra::read_newton_options(comm);
   } catch (const NumericalError& error) {
     const std::string why = error.what();
     throw InputError("an option under -modes_, -solve_, -multigrid_ or -newton_ does not work: " +
                      why.substr(0, why.find(" (in ")));
   }
-  for (const auto& name : petsc::unread_options())
+  for (const auto& name : algebra::unread_options())
     if (!is_late(name)) refuse_unknown(name);
 }
 
@@ -64,9 +64,9 @@ std::vector<Option> order(const std::vector<std::pair<std::string, Report>>& rep
   std::vector<Option> files;
   for (const auto& [name, report] : reports) {
     if (name == "log_view")
-      petsc::begin_log(report.format == "ascii_xml" || report.format == "ascii_flamegraph" ? petsc::Log::nested
-                                                                                           : petsc::Log::flat);
-    petsc::set_option(name, report.viewer);
+      algebra::begin_log(report.format == "ascii_xml" || report.format == "ascii_flamegraph" ? algebra::Log::nested
+                                                                                             : algebra::Log::flat);
+    algebra::set_option(name, report.viewer);
     if (!report.file.empty()) files.push_back({name, report.file.string()});
   }
   return files;
@@ -105,7 +105,7 @@ std::vector<Option> hand_to_solvers(MPI_Comm comm, Given& given) {
       reports.emplace_back(option.name, parse_report(option, is_monitor(option.name) ? no_formats : formats));
     if (kind != SolverOption::setting) continue;
     check_setting(option);
-    petsc::set_option(option.name, option.value);
+    algebra::set_option(option.name, option.value);
   }
   if (const auto log = given.read("log_view"))
     reports.emplace_back("log_view", parse_report({"log_view", *log}, log_formats));

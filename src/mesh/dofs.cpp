@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
+#include "ritz/algebra/check.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/base/random.hpp"
 #include "ritz/base/set_name.hpp"
 #include "ritz/parallel/comm.hpp"
-#include "ritz/petsc/check.hpp"
 
 namespace ritz::mesh {
 namespace {
@@ -138,7 +138,7 @@ Dofs number(const Mesh& mesh, const std::vector<Fixed>& supports, FileSupports f
   dofs.comm = mesh.comm;
   number_free(mesh, mask, dofs);
   if (dofs.total == 0) refuse_all_fixed(supports);
-  petsc::refuse_beyond_index("the mesh has " + std::to_string(dofs.total) + " degrees of freedom", dofs.total);
+  algebra::refuse_beyond_index("the mesh has " + std::to_string(dofs.total) + " degrees of freedom", dofs.total);
   number_ghosts(mesh, dofs);
 
   std::int32_t partly = 0;

@@ -2,10 +2,10 @@
 
 #include <metis.h>
 
+#include "ritz/algebra/graph_partition.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/parallel/redistribute.hpp"
-#include "ritz/petsc/graph_partition.hpp"
 
 namespace ritz::mesh {
 namespace {
@@ -73,7 +73,7 @@ std::vector<std::int32_t> partition_ptscotch(MPI_Comm comm, Index cells,
   std::vector<PetscInt> starts = {0};
   for (const auto d : my_degrees) starts.push_back(starts.back() + static_cast<PetscInt>(d));
   const auto parts =
-      petsc::partition_graph(comm, starts, {my_columns.begin(), my_columns.end()}, static_cast<PetscInt>(cells));
+      algebra::partition_graph(comm, starts, {my_columns.begin(), my_columns.end()}, static_cast<PetscInt>(cells));
   return parallel::gather_all(comm, parts);
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <utility>
 
-#include "ritz/petsc/multivector.hpp"
+#include "ritz/algebra/multivector.hpp"
 
 namespace ritz::mesh {
 
@@ -13,11 +13,11 @@ struct Locals {};    ///< all vertices that this rank holds, 3 rows each: its ow
 /// A matrix over rows of one kind, one column for each vector. The result of an expression has no kind and can be
 /// assigned to any; passing a matrix of one kind where another is expected does not compile.
 template <class Kind>
-struct Rows : petsc::Tall {
-  using petsc::Tall::Tall;
-  using petsc::Tall::operator=;
+struct Rows : algebra::Tall {
+  using algebra::Tall::Tall;
+  using algebra::Tall::operator=;
   Rows() = default;
-  Rows(petsc::Tall&& matrix) : petsc::Tall(std::move(matrix)) {}
+  Rows(algebra::Tall&& matrix) : algebra::Tall(std::move(matrix)) {}
   template <class Other>
   Rows(const Rows<Other>&) = delete;
   template <class Other>
@@ -26,10 +26,10 @@ struct Rows : petsc::Tall {
 
 /// An argument that is only read: such a matrix, or some of its columns.
 template <class Kind>
-struct RowsRef : petsc::ConstTallRef {
+struct RowsRef : algebra::ConstTallRef {
   template <class Expression>
-  RowsRef(const Eigen::DenseBase<Expression>& expression) : petsc::ConstTallRef(expression) {}
-  RowsRef(const Rows<Kind>& rows) : petsc::ConstTallRef(static_cast<const petsc::Tall&>(rows)) {}
+  RowsRef(const Eigen::DenseBase<Expression>& expression) : algebra::ConstTallRef(expression) {}
+  RowsRef(const Rows<Kind>& rows) : algebra::ConstTallRef(static_cast<const algebra::Tall&>(rows)) {}
   template <class Other>
   RowsRef(const Rows<Other>&) = delete;
   template <class Other>

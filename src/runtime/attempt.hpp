@@ -22,8 +22,8 @@ void each_force_point(const ImplicitStep<Scalar>& numbers, Visit&& visit) {
   for (const Scalar s : mean_points<Scalar>()) visit(s, Scalar(0.5));
 }
 
-/// What the derivative of a force at q = z_n + s δ is taken with respect to: q, by the change δ; or small motions of the
-/// frame of a carried body at the beginning of the step. For z these are the same.
+/// What the derivative of a force at q = z_n + s δ is taken with respect to: q, by the change δ; or small motions of
+/// the frame of a carried body at the beginning of the step. For z these are the same.
 enum class By : unsigned char { change, beginning };
 
 /// Evaluates a force that depends on the position at q, when the fraction `passed` of the step has passed, and its

@@ -45,10 +45,10 @@ struct ReducedPath {
   Eigen::ArrayXd squares;  ///< ‖u‖²_M
 };
 
-ReducedPath seen_from(const petsc::Tall& U, Mat M, MPI_Comm comm, const StaticPath& path) {
-  const petsc::Tall massive = petsc::multiply(M, path.truth);
-  return {petsc::inner(comm, U, path.loads), petsc::inner(comm, U, massive),
-          petsc::inner(comm, path.truth, massive).diagonal().array()};
+ReducedPath seen_from(const algebra::Tall& U, Mat M, MPI_Comm comm, const StaticPath& path) {
+  const algebra::Tall massive = algebra::multiply(M, path.truth);
+  return {algebra::inner(comm, U, path.loads), algebra::inner(comm, U, massive),
+          algebra::inner(comm, path.truth, massive).diagonal().array()};
 }
 
 /// The fewest columns that could represent all levels to `target`; one more than there are where none can.
@@ -88,7 +88,7 @@ struct Question {
 
 /// The smallest basis of at most `limit` columns cut from the set; or the best there is, which misses the target.
 SizedError smallest(const Question& in, const Principal& set, int count, int limit) {
-  const petsc::Tall U = canonical_directions(in.problem, set).leftCols(std::min<Index>(limit, set.sigma.size()));
+  const algebra::Tall U = canonical_directions(in.problem, set).leftCols(std::min<Index>(limit, set.sigma.size()));
   const auto path = seen_from(U, in.problem.matrices.mass, in.problem.mesh.comm, in.path);
   SizedError best{count, 0, nothing_found};
   Index r = fewest(path, in.target);

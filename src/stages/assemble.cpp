@@ -21,8 +21,9 @@ struct Sums {
 
 bool own(const mesh::Mesh& mesh, int vertex) { return vertex < mesh.owned; }
 
-void end_row(petsc::Rows& rows) {
-  for (petsc::Csr* part : {&rows.own, &rows.other}) part->starts.push_back(static_cast<PetscInt>(part->columns.size()));
+void end_row(algebra::Rows& rows) {
+  for (algebra::Csr* part : {&rows.own, &rows.other})
+    part->starts.push_back(static_cast<PetscInt>(part->columns.size()));
 }
 
 template <class E>
@@ -44,22 +45,22 @@ void add_cell(Sums& sums, const mesh::Mesh& mesh, const mesh::Dofs& dofs, const 
 
 /// A row of the masses of `row` and its neighbours; number(column): global, or negative where there is none.
 template <class Number>
-void append_mass(petsc::Rows& rows, const mesh::Mesh& mesh, const Sums& sums, int row, mesh::Index first,
+void append_mass(algebra::Rows& rows, const mesh::Mesh& mesh, const Sums& sums, int row, mesh::Index first,
                  Number number) {
   const VertexGraph& graph = sums.stiffness.pattern.graph;
   for (auto p = graph.starts[static_cast<std::size_t>(row)]; p < graph.starts[static_cast<std::size_t>(row) + 1]; ++p) {
     const int column = graph.columns[p];
     const mesh::Index n = number(column);
     if (n < 0) continue;
-    petsc::Csr& to = part(rows, mesh, column);
+    algebra::Csr& to = part(rows, mesh, column);
     to.columns.push_back(static_cast<PetscInt>(n - (own(mesh, column) ? first : 0)));
     to.values.push_back(sums.mass[p]);
   }
   end_row(rows);
 }
 
-petsc::Rows mass_rows(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Sums& sums) {
-  petsc::Rows rows;
+algebra::Rows mass_rows(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Sums& sums) {
+  algebra::Rows rows;
   rows.own.columns.reserve(mesh::components * sums.mass.size());
   rows.own.values.reserve(mesh::components * sums.mass.size());
   for (int row = 0; row < mesh.owned; ++row)
@@ -69,8 +70,8 @@ petsc::Rows mass_rows(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Sums
   return rows;
 }
 
-petsc::Rows scalar_mass_rows(const mesh::Mesh& mesh, const Sums& sums) {
-  petsc::Rows rows;
+algebra::Rows scalar_mass_rows(const mesh::Mesh& mesh, const Sums& sums) {
+  algebra::Rows rows;
   rows.own.columns.reserve(sums.mass.size());
   rows.own.values.reserve(sums.mass.size());
   for (int row = 0; row < mesh.owned; ++row)
@@ -96,12 +97,12 @@ Problem assemble(mesh::Mesh mesh, mesh::Dofs dofs, fem::Materials materials) {
   Sums sums{empty_rows(mesh, dofs), {}};
   sums.mass.assign(sums.stiffness.pattern.graph.columns.size(), 0);
   each_cell(mesh, materials, [&]<class E>(const Cell<E>& cell) { add_cell(sums, mesh, dofs, cell); });
-  const auto positive = petsc::Definite::positive;
+  const auto positive = algebra::Definite::positive;
   Matrices matrices;
   matrices.stiffness =
-      petsc::symmetric_matrix(mesh.comm, std::move(sums.stiffness.rows), dofs.block, petsc::Definite::semi);
-  matrices.mass = petsc::symmetric_matrix(mesh.comm, mass_rows(mesh, dofs, sums), dofs.block, positive);
-  matrices.scalar_mass = petsc::symmetric_matrix(mesh.comm, scalar_mass_rows(mesh, sums), 1, positive);
+      algebra::symmetric_matrix(mesh.comm, std::move(sums.stiffness.rows), dofs.block, algebra::Definite::semi);
+  matrices.mass = algebra::symmetric_matrix(mesh.comm, mass_rows(mesh, dofs, sums), dofs.block, positive);
+  matrices.scalar_mass = algebra::symmetric_matrix(mesh.comm, scalar_mass_rows(mesh, sums), 1, positive);
   refuse_extremes(matrices);
   return {std::move(mesh), std::move(dofs), std::move(materials), std::move(matrices)};
 }

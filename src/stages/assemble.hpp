@@ -2,19 +2,19 @@
 #pragma once
 #include <vector>
 
+#include "ritz/algebra/handle.hpp"
 #include "ritz/fem/material.hpp"
 #include "ritz/mesh/dofs.hpp"
 #include "ritz/mesh/mesh.hpp"
-#include "ritz/petsc/handle.hpp"
 
 namespace ritz::stages {
 
 /// K (N/m) and M (kg) over the free degrees of freedom, and the scalar consistent mass M_s (kg) over all vertices: M =
 /// M_s ⊗ I₃ without the fixed rows and columns.
 struct Matrices {
-  petsc::Matrix stiffness;
-  petsc::Matrix mass;
-  petsc::Matrix scalar_mass;
+  algebra::Matrix stiffness;
+  algebra::Matrix mass;
+  algebra::Matrix scalar_mass;
 };
 
 /// The unreduced body. Every stage reads it, and none changes it.

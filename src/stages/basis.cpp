@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ritz/algebra/handle.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/base/shown.hpp"
-#include "ritz/petsc/handle.hpp"
 #include "ritz/stages/canonical.hpp"
 #include "ritz/stages/fixed_vectors.hpp"
 #include "ritz/stages/rayleigh_ritz.hpp"
@@ -37,12 +37,12 @@ EnteringModes entering_modes(const ModesResult& modes, const std::vector<int>& c
 
 namespace {
 
-void add_snapshots(Mat M, const petsc::ConstTallRef& snapshots, const Cut& cut, Principal& set) {
+void add_snapshots(Mat M, const algebra::ConstTallRef& snapshots, const Cut& cut, Principal& set) {
   if (snapshots.cols() == 0) return;
   double scale = 1;
   if (set.sigma.size() > 0) {
-    const MPI_Comm comm = petsc::comm_of(M);
-    const Eigen::MatrixXd squares = petsc::inner(comm, snapshots, petsc::multiply(M, snapshots));
+    const MPI_Comm comm = algebra::comm_of(M);
+    const Eigen::MatrixXd squares = algebra::inner(comm, snapshots, algebra::multiply(M, snapshots));
     const double largest = std::sqrt(squares.diagonal().maxCoeff());
     scale = largest > 0 ? 1 / largest : 0;
   }
@@ -59,7 +59,8 @@ void require_enough(const Principal& set, const Cut& cut) {
 }
 
 /// Turns the directions so that UᵀKU is diagonal, and fixes their signs.
-void finish(const Problem& problem, const petsc::Tall& R, const petsc::ConstTallRef& directions, BasisResult& result) {
+void finish(const Problem& problem, const algebra::Tall& R, const algebra::ConstTallRef& directions,
+            BasisResult& result) {
   const auto& [mesh, dofs, materials, matrices] = problem;
   RitzPairs pairs = rayleigh_ritz(matrices.stiffness, matrices.mass, R, directions);
   if (pairs.vectors.cols() < directions.cols())
@@ -68,7 +69,8 @@ void finish(const Problem& problem, const petsc::Tall& R, const petsc::ConstTall
         Reason::directions_lost);
   const auto W = fixed_vectors(mesh, dofs, largest_group(pairs.values), sign_stream);
   make_canonical(matrices.mass, pairs.values, W, pairs.vectors);
-  const Eigen::MatrixXd gram = petsc::inner(mesh.comm, pairs.vectors, petsc::multiply(matrices.mass, pairs.vectors));
+  const Eigen::MatrixXd gram =
+      algebra::inner(mesh.comm, pairs.vectors, algebra::multiply(matrices.mass, pairs.vectors));
   const double error = (gram - Eigen::MatrixXd::Identity(gram.rows(), gram.cols())).cwiseAbs().maxCoeff();
   if (!(error <= orthonormality_gate))
     throw NumericalError("the basis is not orthonormal: max |UᵀMU - I| is " + shown(error, 3));
@@ -95,7 +97,7 @@ BasisResult basis(const Problem& problem, const ModesResult& modes, mesh::FreeRe
 }
 
 mesh::FreeRows canonical_directions(const Problem& problem, const Principal& set) {
-  petsc::Tall Q = set.Q;
+  algebra::Tall Q = set.Q;
   make_canonical(problem.matrices.mass, set.sigma,
                  fixed_vectors(problem.mesh, problem.dofs, largest_group(set.sigma), direction_stream), Q);
   return Q;
@@ -107,7 +109,7 @@ BasisResult cut_basis(const Problem& problem, const ModesResult& modes, const Sc
   result.derivatives = set.counts;
   result.reduction.singular_values = sigma;
   result.reduction.discarded = std::sqrt(set.principal.discarded + sigma.tail(sigma.size() - columns).squaredNorm());
-  const petsc::Tall Q = canonical_directions(problem, set.principal);
+  const algebra::Tall Q = canonical_directions(problem, set.principal);
   finish(problem, rigid_modes(modes), Q.leftCols(columns), result);
   return result;
 }

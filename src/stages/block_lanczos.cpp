@@ -3,9 +3,9 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 
-#include "ritz/petsc/check.hpp"
-#include "ritz/petsc/dense.hpp"
-#include "ritz/petsc/handle.hpp"
+#include "ritz/algebra/check.hpp"
+#include "ritz/algebra/dense.hpp"
+#include "ritz/algebra/handle.hpp"
 
 namespace ritz::stages {
 namespace {
@@ -18,7 +18,7 @@ constexpr double well_conditioned = 1e-4;  ///< of a block's Cholesky factor, so
 /// The M-complement's dimension.
 Index dimension(Mat M, Index locked) {
   PetscInt total = 0;
-  petsc::check(MatGetSize(M, &total, nullptr));
+  algebra::check(MatGetSize(M, &total, nullptr));
   return static_cast<Index>(total) - locked;
 }
 
@@ -26,7 +26,7 @@ Index dimension(Mat M, Index locked) {
 /// ones, then V, then the pending block.
 class Krylov {
  public:
-  Krylov(Mat M, const Operator& op, const petsc::ConstTallRef& locked, const petsc::ConstTallRef& start,
+  Krylov(Mat M, const Operator& op, const algebra::ConstTallRef& locked, const algebra::ConstTallRef& start,
          const LanczosOptions& options)
       : M_(M),
         op_(op),
@@ -48,26 +48,26 @@ class Krylov {
   /// Applies Op to the pending block and orthogonalises the result into the next one.
   void extend() {
     const Index first = done_, width = pending_;
-    petsc::Tall w(basis_.rows(), width);
+    algebra::Tall w(basis_.rows(), width);
     op_(mv_, w);
     done_ += width;
     MatrixXd h = MatrixXd::Zero(locked_ + done_, width);
     const auto known = basis_.leftCols(locked_ + done_);
     for (int pass = 0; pass < 2; ++pass) {
-      const MatrixXd part = petsc::inner(petsc::comm_of(M_), known, petsc::multiply(M_, w));
-      petsc::subtract(w, known, part);
+      const MatrixXd part = algebra::inner(algebra::comm_of(M_), known, algebra::multiply(M_, w));
+      algebra::subtract(w, known, part);
       h += part;
     }
     T_.block(0, first, done_, width) = h.bottomRows(done_);
     T_.block(first, 0, width, done_) = h.bottomRows(done_).transpose();
     T_.block(first, first, width, width) = (h.bottomRows(width) + h.bottomRows(width).transpose()) / 2;
-    mv_ = petsc::multiply(M_, w);
+    mv_ = algebra::multiply(M_, w);
     append(w);
   }
 
   /// Ritz pairs of T in descending θ; residual j is ‖Op y_j − θ_j y_j‖_M.
   void ritz() {
-    const auto [values, vectors] = petsc::symmetric_eigen(T_.topLeftCorner(done_, done_));
+    const auto [values, vectors] = algebra::symmetric_eigen(T_.topLeftCorner(done_, done_));
     theta_ = values.reverse();
     Y_ = vectors.rowwise().reverse();
     residuals_ = Eigen::VectorXd::Zero(done_);
@@ -82,8 +82,8 @@ class Krylov {
 
   /// Keeps `count` Ritz vectors and the pending block.
   void restart(Index count) {
-    const petsc::Tall kept = vectors(count);
-    const petsc::Tall next = V().middleCols(done_, pending_);
+    const algebra::Tall kept = vectors(count);
+    const algebra::Tall next = V().middleCols(done_, pending_);
     V().leftCols(count) = kept;
     V().middleCols(count, pending_) = next;
     T_.setZero();
@@ -92,25 +92,25 @@ class Krylov {
   }
 
   Eigen::VectorXd theta(Index count) const { return theta_.head(count); }
-  petsc::Tall vectors(Index count) { return petsc::combine(V().leftCols(done_), Y_.leftCols(count)); }
+  algebra::Tall vectors(Index count) { return algebra::combine(V().leftCols(done_), Y_.leftCols(count)); }
 
  private:
-  Eigen::Block<petsc::Tall, Eigen::Dynamic, Eigen::Dynamic, true> V() {
+  Eigen::Block<algebra::Tall, Eigen::Dynamic, Eigen::Dynamic, true> V() {
     return basis_.middleCols(locked_, capacity_ + block_);
   }
 
   /// Takes a block that is orthogonal to everything, normalises it (mv_ is M w) and puts it behind; where it has lost
   /// rank, start columns fill the places.
-  void append(petsc::Tall w) {
+  void append(algebra::Tall w) {
     const Index room = std::min(block_, space_ - done_);
-    const MatrixXd gram = petsc::inner(petsc::comm_of(M_), w, mv_);
+    const MatrixXd gram = algebra::inner(algebra::comm_of(M_), w, mv_);
     const Eigen::LLT<MatrixXd> cholesky(gram);
     const auto pivots = cholesky.matrixLLT().diagonal().array().abs();
     const bool whole = cholesky.info() == Eigen::Success && w.cols() == room &&
                        pivots.minCoeff() > well_conditioned * pivots.maxCoeff();
     if (whole) {
-      petsc::normalise(w, cholesky);
-      petsc::normalise(mv_, cholesky);
+      algebra::normalise(w, cholesky);
+      algebra::normalise(mv_, cholesky);
       V().middleCols(done_, room) = w;
       coupling_ = cholesky.matrixU();
       pending_ = room;
@@ -119,23 +119,23 @@ class Krylov {
     append_carefully(w, room);
   }
 
-  void append_carefully(const petsc::Tall& w, Index room) {
-    petsc::Tall next = w;
+  void append_carefully(const algebra::Tall& w, Index room) {
+    algebra::Tall next = w;
     pending_ = 0;
     for (int attempt = 0; pending_ < room && attempt < 4; ++attempt) {
-      const int kept = petsc::orthonormalise(M_, basis_.leftCols(locked_ + done_ + pending_), next);
+      const int kept = algebra::orthonormalise(M_, basis_.leftCols(locked_ + done_ + pending_), next);
       const auto taken = std::min<Index>(kept, room - pending_);
       V().middleCols(done_ + pending_, taken) = next.leftCols(taken);
       pending_ += taken;
       if (pending_ < room) next = next_start(room - pending_);
     }
-    coupling_ = petsc::inner(petsc::comm_of(M_), V().middleCols(done_, pending_), petsc::multiply(M_, w));
-    mv_ = petsc::multiply(M_, V().middleCols(done_, pending_));
+    coupling_ = algebra::inner(algebra::comm_of(M_), V().middleCols(done_, pending_), algebra::multiply(M_, w));
+    mv_ = algebra::multiply(M_, V().middleCols(done_, pending_));
   }
 
   /// Start columns in turn; when all are used, products of two, so that every value still belongs to its vertex.
-  petsc::Tall next_start(Index columns) {
-    petsc::Tall x(basis_.rows(), columns);
+  algebra::Tall next_start(Index columns) {
+    algebra::Tall x(basis_.rows(), columns);
     for (Index j = 0; j < columns; ++j, ++used_) {
       const Index n = start_.cols();
       x.col(j) = start_.col(used_ % n);
@@ -146,12 +146,12 @@ class Krylov {
 
   Mat M_;
   const Operator& op_;
-  petsc::ConstTallRef start_;
+  algebra::ConstTallRef start_;
   Index space_, locked_, block_, capacity_;
-  petsc::Tall basis_;
+  algebra::Tall basis_;
   MatrixXd T_;
   Index done_ = 0, pending_ = 0, used_ = 0;
-  petsc::Tall mv_;     ///< M times the pending block
+  algebra::Tall mv_;   ///< M times the pending block
   MatrixXd coupling_;  ///< pending block x the block before it
   Eigen::VectorXd theta_, residuals_;
   MatrixXd Y_;
@@ -159,8 +159,8 @@ class Krylov {
 
 }  // namespace
 
-LanczosResult block_lanczos(Mat M, const Operator& op, const petsc::ConstTallRef& locked,
-                            const petsc::ConstTallRef& start, const LanczosOptions& given, const Progress& progress) {
+LanczosResult block_lanczos(Mat M, const Operator& op, const algebra::ConstTallRef& locked,
+                            const algebra::ConstTallRef& start, const LanczosOptions& given, const Progress& progress) {
   LanczosOptions options = given;
   if (options.columns == 0) options.columns = std::max(2 * options.wanted, options.wanted + 20 * options.block);
   Krylov krylov(M, op, locked, start, options);

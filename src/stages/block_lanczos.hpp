@@ -2,7 +2,7 @@
 #pragma once
 #include <functional>
 
-#include "ritz/petsc/multivector.hpp"
+#include "ritz/algebra/multivector.hpp"
 
 namespace ritz::stages {
 
@@ -16,13 +16,13 @@ struct LanczosOptions {
 
 struct LanczosResult {
   Eigen::VectorXd theta;   ///< descending
-  petsc::Tall vectors;     ///< M-orthonormal
+  algebra::Tall vectors;   ///< M-orthonormal
   int iterations = 0;      ///< block steps
   bool converged = false;  ///< all wanted pairs have converged, or the whole space was searched
 };
 
 /// y = Op x for a block of columns, given mx = M x.
-using Operator = std::function<void(const petsc::ConstTallRef& mx, petsc::TallRef y)>;
+using Operator = std::function<void(const algebra::ConstTallRef& mx, algebra::TallRef y)>;
 
 /// Called after each block step with the number of wanted pairs that have converged.
 using Progress = std::function<void(int converged, int wanted)>;
@@ -32,7 +32,8 @@ using Progress = std::function<void(int converged, int wanted)>;
 /// 1/θ. `start` has the columns of the first block; further columns are used in turn. Two passes of full
 /// orthogonalisation prevent spurious copies of eigenvalues, and a block that lost rank is refilled. [Grimes, Lewis,
 /// Simon 1994; Wu, Simon 2000].
-LanczosResult block_lanczos(Mat M, const Operator& op, const petsc::ConstTallRef& locked,
-                            const petsc::ConstTallRef& start, const LanczosOptions& options, const Progress& progress);
+LanczosResult block_lanczos(Mat M, const Operator& op, const algebra::ConstTallRef& locked,
+                            const algebra::ConstTallRef& start, const LanczosOptions& options,
+                            const Progress& progress);
 
 }  // namespace ritz::stages

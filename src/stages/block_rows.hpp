@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "ritz/algebra/csr.hpp"
 #include "ritz/mesh/dofs.hpp"
-#include "ritz/petsc/csr.hpp"
 #include "ritz/stages/vertex_graph.hpp"
 
 namespace ritz::stages {
@@ -18,7 +18,7 @@ struct BlockPattern {
 
 struct BlockRows {
   BlockPattern pattern;
-  petsc::Rows rows;  ///< zeros
+  algebra::Rows rows;  ///< zeros
 };
 
 /// The complete rows of this rank's free degrees of freedom, filled with zeros.
@@ -26,10 +26,10 @@ BlockRows empty_rows(const mesh::Mesh& mesh, const mesh::Dofs& dofs);
 
 /// The part of the rows that holds the column of local vertex `column`: `own` for this rank's vertices, `other` for
 /// ghosts.
-petsc::Csr& part(petsc::Rows& rows, const mesh::Mesh& mesh, int column);
+algebra::Csr& part(algebra::Rows& rows, const mesh::Mesh& mesh, int column);
 
 /// Adds the 3 x 3 block of the vertices `row` (owned) and `column`, whose entry in the graph is `place`.
-void add_block(petsc::Rows& rows, const BlockPattern& pattern, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
+void add_block(algebra::Rows& rows, const BlockPattern& pattern, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
                std::size_t place, int row, int column, const Eigen::Matrix3d& block);
 
 }  // namespace ritz::stages

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "ritz/petsc/dense.hpp"
-#include "ritz/petsc/handle.hpp"
+#include "ritz/algebra/dense.hpp"
+#include "ritz/algebra/handle.hpp"
 
 namespace ritz::stages {
 namespace {
@@ -28,14 +28,14 @@ int largest_group(const Eigen::VectorXd& values) {
   return static_cast<int>(largest);
 }
 
-void make_canonical(Mat M, const Eigen::VectorXd& values, const petsc::ConstTallRef& W, petsc::TallRef vectors) {
-  const MPI_Comm comm = petsc::comm_of(M);
-  const Eigen::MatrixXd C = petsc::inner(comm, petsc::multiply(M, W), vectors);
+void make_canonical(Mat M, const Eigen::VectorXd& values, const algebra::ConstTallRef& W, algebra::TallRef vectors) {
+  const MPI_Comm comm = algebra::comm_of(M);
+  const Eigen::MatrixXd C = algebra::inner(comm, algebra::multiply(M, W), vectors);
   for (Eigen::Index i = 0, end = 0; i < values.size(); i = end) {
     end = group_end(values, i);
     const auto size = end - i;
     // C = S O with S symmetric positive definite and O orthogonal (polar decomposition); Ψ Oᵀ turns C into S.
-    const Eigen::MatrixXd O = petsc::nearest_orthogonal(C.block(0, i, size, size));
+    const Eigen::MatrixXd O = algebra::nearest_orthogonal(C.block(0, i, size, size));
     vectors.middleCols(i, size) = (vectors.middleCols(i, size) * O.transpose()).eval();
   }
 }

@@ -166,7 +166,7 @@ void cell_sums(const Cell<E>& cell, mesh::LocalRef local, const Rows& rows, Moda
 /// From lanes to pairs, and from owned vertices to free degrees of freedom.
 mesh::FreeRows columns_of_pairs(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Rows& rows, const Modal& sums) {
   const auto pairs = pairs_of_rows(rows.first, rows.last, rows.modes);
-  petsc::Tall b(dofs.owned, static_cast<Eigen::Index>(pairs.size()));
+  algebra::Tall b(dofs.owned, static_cast<Eigen::Index>(pairs.size()));
   std::vector<Eigen::Index> place(static_cast<std::size_t>(dofs.owned));
   for (int v = 0; v < mesh.owned; ++v)
     for (int c = 0; c < mesh::components; ++c)

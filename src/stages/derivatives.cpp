@@ -4,10 +4,10 @@
 #include <cmath>
 #include <span>
 
+#include "ritz/algebra/check.hpp"
+#include "ritz/algebra/dense.hpp"
 #include "ritz/fem/mass.hpp"
 #include "ritz/parallel/comm.hpp"
-#include "ritz/petsc/check.hpp"
-#include "ritz/petsc/dense.hpp"
 #include "ritz/stages/each_cell.hpp"
 #include "ritz/stages/rayleigh_ritz.hpp"
 
@@ -20,7 +20,7 @@ template <class E>
 double smallest_ratio(const fem::Coordinates<E>& x) {
   const fem::MassMatrix<E> M = fem::mass<E>(x, 1);
   const fem::Vector<E::vertices> root = M.diagonal().cwiseSqrt().cwiseInverse();
-  return petsc::symmetric_eigenvalues(root.asDiagonal() * M * root.asDiagonal())[0];
+  return algebra::symmetric_eigenvalues(root.asDiagonal() * M * root.asDiagonal())[0];
 }
 
 /// m: M ≥ m D. A straight linear tetrahedron has ½ whatever its shape.
@@ -36,20 +36,20 @@ double mass_ratio(const Problem& problem) {
 class InverseMassNorm {
  public:
   explicit InverseMassNorm(const Problem& problem) : comm_(problem.mesh.comm) {
-    petsc::Vector diagonal;
+    algebra::Vector diagonal;
     const PetscScalar* values = nullptr;
     PetscInt rows = 0;
     const Mat M = problem.matrices.mass;
-    petsc::check(MatGetLocalSize(M, &rows, nullptr));
-    petsc::check(MatCreateVecs(M, nullptr, diagonal.out()));
-    petsc::check(MatGetDiagonal(M, diagonal));
-    petsc::check(VecGetArrayRead(diagonal, &values));
+    algebra::check(MatGetLocalSize(M, &rows, nullptr));
+    algebra::check(MatCreateVecs(M, nullptr, diagonal.out()));
+    algebra::check(MatGetDiagonal(M, diagonal));
+    algebra::check(VecGetArrayRead(diagonal, &values));
     inverse_root_ = (Eigen::Map<const Eigen::ArrayXd>(values, rows) * mass_ratio(problem)).sqrt().inverse().matrix();
-    petsc::check(VecRestoreArrayRead(diagonal, &values));
+    algebra::check(VecRestoreArrayRead(diagonal, &values));
   }
 
-  Eigen::ArrayXd operator()(const petsc::Tall& b) const {
-    return petsc::column_norms(comm_, inverse_root_.asDiagonal() * b).array();
+  Eigen::ArrayXd operator()(const algebra::Tall& b) const {
+    return algebra::column_norms(comm_, inverse_root_.asDiagonal() * b).array();
   }
 
  private:
@@ -64,15 +64,15 @@ class InverseBound {
       : comm_(problem.mesh.comm),
         norm_(problem),
         known_(flexible_modes(modes)),
-        massive_(petsc::multiply(problem.matrices.mass, known_)),
+        massive_(algebra::multiply(problem.matrices.mass, known_)),
         eigenvalues_(modes.modes.eigenvalues.tail(known_.cols())),
         least_of_rest_(modes.modes.certificate.kind == model::Certified::no ? eigenvalues_[0]
                                                                             : eigenvalues_.tail(1)[0]) {}
 
-  Eigen::ArrayXd operator()(const petsc::Tall& b) const {
-    const Eigen::MatrixXd parts = petsc::inner(comm_, known_, b);
-    petsc::Tall rest = b;
-    petsc::subtract(rest, massive_, parts);
+  Eigen::ArrayXd operator()(const algebra::Tall& b) const {
+    const Eigen::MatrixXd parts = algebra::inner(comm_, known_, b);
+    algebra::Tall rest = b;
+    algebra::subtract(rest, massive_, parts);
     const Eigen::ArrayXd solved = (eigenvalues_.cwiseInverse().asDiagonal() * parts).colwise().squaredNorm();
     return (solved + (norm_(rest) / least_of_rest_).square()).sqrt();
   }
@@ -80,8 +80,8 @@ class InverseBound {
  private:
   MPI_Comm comm_;
   InverseMassNorm norm_;
-  petsc::ConstTallRef known_;
-  petsc::Tall massive_;
+  algebra::ConstTallRef known_;
+  algebra::Tall massive_;
   Eigen::VectorXd eigenvalues_;
   double least_of_rest_;
 };
@@ -126,19 +126,19 @@ DerivativeCounts derivatives(const DerivativesSource& source, int columns, const
                              const std::function<void(const DerivativeBlock&)>& take) {
   const auto& [problem, found, flexible, rows] = source;
   const auto& [mesh, dofs, materials, matrices] = problem;
-  const petsc::Tall rigid = rigid_modes(found);
+  const algebra::Tall rigid = rigid_modes(found);
   const mesh::LocalRows local = mesh::with_ghosts(mesh, mesh::to_vertices(mesh, dofs, flexible), mesh::components);
   const InverseBound bound(problem, found);
   const double norm_K = one_norm(matrices.stiffness);
-  const petsc::Tall massive = petsc::multiply(matrices.mass, rigid);
+  const algebra::Tall massive = algebra::multiply(matrices.mass, rigid);
   const int modes = static_cast<int>(flexible.cols());
   DerivativeCounts counts;
   for (int first = 0, last = 0; first < rows; first = last) {
     last = last_row(first, rows, modes, columns);
     const auto pairs = pairs_of_rows(first, last, modes);
-    petsc::Tall loads = derivative_loads(problem, local, first, last);
+    algebra::Tall loads = derivative_loads(problem, local, first, last);
     // Without their resultants, so that the bounds are of what is solved.
-    if (rigid.cols() > 0) petsc::subtract(loads, massive, petsc::inner(mesh.comm, rigid, loads));
+    if (rigid.cols() > 0) algebra::subtract(loads, massive, algebra::inner(mesh.comm, rigid, loads));
     Eigen::ArrayXd bounds = bound(loads);
     for (std::size_t p = 0; p < pairs.size(); ++p) bounds[static_cast<Index>(p)] *= weight(pairs[p]);
     const auto chosen = worth_solving(pairs, bounds, allowed(), counts);

@@ -24,9 +24,9 @@ struct DerivativeCounts {
 
 struct DerivativesSource {
   const Problem& problem;
-  const ModesResult& modes;     ///< all modes that were found, and the inverse that found them
-  const petsc::Tall& flexible;  ///< the modes whose derivatives are wanted, ψ_1 ... ψ_K'
-  int rows;                     ///< only pairs (i, j) with i among the first `rows` of these
+  const ModesResult& modes;       ///< all modes that were found, and the inverse that found them
+  const algebra::Tall& flexible;  ///< the modes whose derivatives are wanted, ψ_1 ... ψ_K'
+  int rows;                       ///< only pairs (i, j) with i among the first `rows` of these
 };
 
 /// *Collective*. Solves K Φ_ij = −(H:ψ_j) ψ_i for the pairs i ≤ j, in blocks of at least `columns` and less than twice

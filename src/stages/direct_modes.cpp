@@ -13,18 +13,18 @@ namespace {
 constexpr std::uint64_t start_stream = 1000;
 constexpr int polishing_steps = 3;
 
-petsc::Tall joined(const petsc::Tall& a, const petsc::Tall& b) {
-  petsc::Tall both(a.rows(), a.cols() + b.cols());
+algebra::Tall joined(const algebra::Tall& a, const algebra::Tall& b) {
+  algebra::Tall both(a.rows(), a.cols() + b.cols());
   both << a, b;
   return both;
 }
 
 /// One step of subspace iteration and Rayleigh-Ritz at a time, until every residual meets its gate: removes what
 /// Lanczos left of the high modes.
-RitzPairs polish(const EigenProblem& problem, petsc::Tall x, const petsc::Factorization& solver) {
+RitzPairs polish(const EigenProblem& problem, algebra::Tall x, const algebra::Factorization& solver) {
   RitzPairs pairs;
   for (int step = 0; step < polishing_steps; ++step) {
-    solver.solve(petsc::multiply(problem.body.matrices.mass, x), x);
+    solver.solve(algebra::multiply(problem.body.matrices.mass, x), x);
     pairs = rayleigh_ritz(problem.body.matrices.stiffness, problem.body.matrices.mass, problem.rigid, std::move(x));
     const Residuals r = residuals(problem.body.matrices.stiffness, problem.body.matrices.mass, problem.norm_K, pairs);
     if ((r.relative.array() <= 0.1 * r.gate.array()).all()) break;
@@ -40,8 +40,8 @@ double safe_shift(const EigenProblem& problem) {
   return -0.1 * elastic_scale(problem.body, problem.rigid);
 }
 
-Found find_direct(const EigenProblem& problem, int wanted, const petsc::Tall& known, const ModesOptions& options,
-                  petsc::Factorization& solver, const ModesProgress& progress) {
+Found find_direct(const EigenProblem& problem, int wanted, const algebra::Tall& known, const ModesOptions& options,
+                  algebra::Factorization& solver, const ModesProgress& progress) {
   const double sigma = safe_shift(problem);
   progress("factorization", 0);
   solver.factor(problem.body.matrices.stiffness, problem.body.matrices.mass, sigma);
@@ -51,7 +51,7 @@ Found find_direct(const EigenProblem& problem, int wanted, const petsc::Tall& kn
   lanczos.block = options.block;
   lanczos.tolerance = options.tolerance;
   const auto start = fixed_vectors(problem.body.mesh, problem.body.dofs, 3 * options.block, start_stream);
-  const auto op = [&](const petsc::ConstTallRef& mx, petsc::TallRef y) { solver.solve(mx, y); };
+  const auto op = [&](const algebra::ConstTallRef& mx, algebra::TallRef y) { solver.solve(mx, y); };
   const auto found = block_lanczos(problem.body.matrices.mass, op, joined(problem.rigid, known), start, lanczos,
                                    [&](int done, int all) { progress("modes", double(done) / all); });
   if (!found.converged)

@@ -8,8 +8,8 @@ namespace ritz::stages {
 /// The eigenvalue problem that a strategy solves.
 struct EigenProblem {
   const Problem& body;
-  const petsc::Tall& rigid;  ///< M-orthonormal rigid modes
-  double norm_K;             ///< ‖K‖₁
+  const algebra::Tall& rigid;  ///< M-orthonormal rigid modes
+  double norm_K;               ///< ‖K‖₁
 };
 
 /// The eigenpairs found, λ ascending, and how.
@@ -21,10 +21,10 @@ struct Found {
 
 /// *Collective*. The `wanted` lowest flexible pairs (fewer only if there are no more). `known`: pairs that are already
 /// found.
-Found find_direct(const EigenProblem& problem, int wanted, const petsc::Tall& known, const ModesOptions& options,
-                  petsc::Factorization& solver, const ModesProgress& progress);
+Found find_direct(const EigenProblem& problem, int wanted, const algebra::Tall& known, const ModesOptions& options,
+                  algebra::Factorization& solver, const ModesProgress& progress);
 Found find_by_krylov_schur(const EigenProblem& problem, int wanted);
-Found find_iteratively(const EigenProblem& problem, int wanted, const petsc::Tall& known,
+Found find_iteratively(const EigenProblem& problem, int wanted, const algebra::Tall& known,
                        const ModesProgress& progress);
 
 /// The block size of the iterative strategy for so many wanted pairs.

@@ -16,7 +16,7 @@ Eigen::Matrix3Xd normalised(const mesh::Mesh& mesh) {
   return half.cwiseInverse().asDiagonal() * (mesh.points.leftCols(mesh.owned).colwise() - box.middle());
 }
 
-petsc::Tall cubic_fields(const mesh::Mesh& mesh) {
+algebra::Tall cubic_fields(const mesh::Mesh& mesh) {
   const Eigen::Matrix3Xd x = normalised(mesh);
   std::vector<Eigen::VectorXd> monomials;
   for (int a = 0; a <= degree; ++a)
@@ -24,7 +24,7 @@ petsc::Tall cubic_fields(const mesh::Mesh& mesh) {
       for (int c = 0; a + b + c <= degree; ++c)
         monomials.push_back((x.row(0).array().pow(a) * x.row(1).array().pow(b) * x.row(2).array().pow(c)).transpose());
   const auto count = static_cast<Eigen::Index>(monomials.size());
-  petsc::Tall u = petsc::Tall::Zero(mesh::components * mesh.owned, mesh::components * count);
+  algebra::Tall u = algebra::Tall::Zero(mesh::components * mesh.owned, mesh::components * count);
   for (Eigen::Index m = 0; m < count; ++m)
     for (int c = 0; c < mesh::components; ++c)
       u.col(mesh::components * m + c)(Eigen::seqN(c, mesh.owned, mesh::components)) =

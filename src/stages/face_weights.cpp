@@ -1,11 +1,11 @@
 #include "ritz/stages/face_weights.hpp"
 
+#include "ritz/algebra/multivector.hpp"
 #include "ritz/fem/face.hpp"
-#include "ritz/petsc/multivector.hpp"
 
 namespace ritz::stages {
 
-petsc::Tall face_weights(const mesh::Mesh& mesh, const std::vector<mesh::CellFace>& faces) {
+algebra::Tall face_weights(const mesh::Mesh& mesh, const std::vector<mesh::CellFace>& faces) {
   std::vector<std::int64_t> numbers;
   std::vector<double> rows;
   for (const auto face : faces) {
@@ -22,9 +22,9 @@ petsc::Tall face_weights(const mesh::Mesh& mesh, const std::vector<mesh::CellFac
       }
     });
   }
-  const petsc::Tall values = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>>(
+  const algebra::Tall values = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>>(
       rows.data(), static_cast<Eigen::Index>(numbers.size()), 4);
-  return petsc::accumulate(mesh.comm, numbers, values, mesh.owned);
+  return algebra::accumulate(mesh.comm, numbers, values, mesh.owned);
 }
 
 }  // namespace ritz::stages

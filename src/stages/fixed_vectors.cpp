@@ -5,7 +5,7 @@
 namespace ritz::stages {
 
 mesh::FreeRows fixed_vectors(const mesh::Mesh& mesh, const mesh::Dofs& dofs, int columns, std::uint64_t stream) {
-  petsc::Tall x(dofs.owned, columns);
+  algebra::Tall x(dofs.owned, columns);
   for (int v = 0; v < mesh.owned; ++v)
     for (int c = 0; c < mesh::components; ++c) {
       if (dofs.fixed(v, c)) continue;

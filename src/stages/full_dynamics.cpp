@@ -5,10 +5,10 @@
 #include <optional>
 #include <utility>
 
+#include "ritz/algebra/check.hpp"
+#include "ritz/algebra/solve_mass.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/base/shown.hpp"
-#include "ritz/petsc/check.hpp"
-#include "ritz/petsc/solve_mass.hpp"
 #include "ritz/stages/internal_force.hpp"
 
 namespace ritz::stages {
@@ -20,9 +20,9 @@ constexpr int most_exact_degree = 3;  ///< of a polynomial, for two Gauss points
 /// Acceleration a d + a₀ and velocity v d + v₀ in balance with Σ_k w_k f(u₀ + s_k d) and a load, d = u₁ − u₀.
 struct Rule {
   double a, v;
-  petsc::Tall a0, v0;
+  algebra::Tall a0, v0;
   Eigen::VectorXd points, weights;
-  petsc::Tall load;
+  algebra::Tall load;
 };
 
 /// Gauss-Legendre on [0, 1]: points, then weights.
@@ -42,9 +42,9 @@ Gauss gauss(const fem::Materials& materials) {
 }
 
 Rule rule(const fem::Materials& materials, FullIntegrator integrator, const DynamicState& s, double dt,
-          const petsc::Tall& F0, const petsc::Tall& F1) {
+          const algebra::Tall& F0, const algebra::Tall& F1) {
   const Eigen::VectorXd one = Eigen::VectorXd::Ones(1);
-  const petsc::Tall none = petsc::Tall::Zero(s.u.rows(), 1);
+  const algebra::Tall none = algebra::Tall::Zero(s.u.rows(), 1);
   switch (integrator) {
     case FullIntegrator::avf: {
       const auto [points, weights] = gauss(materials);
@@ -56,71 +56,72 @@ Rule rule(const fem::Materials& materials, FullIntegrator integrator, const Dyna
   return {1 / (dt * dt), 1 / dt, -s.v / dt, none, one, one, F1};
 }
 
-petsc::Tall damp(const FullModel& model, const DynamicOptions& options, const petsc::Tall& v) {
-  petsc::Tall force = petsc::Tall::Zero(v.rows(), 1);
-  if (options.alpha != 0) force += options.alpha * petsc::multiply(model.problem.matrices.mass, v);
-  if (options.beta != 0) force += options.beta * petsc::multiply(model.problem.matrices.stiffness, v);
+algebra::Tall damp(const FullModel& model, const DynamicOptions& options, const algebra::Tall& v) {
+  algebra::Tall force = algebra::Tall::Zero(v.rows(), 1);
+  if (options.alpha != 0) force += options.alpha * algebra::multiply(model.problem.matrices.mass, v);
+  if (options.beta != 0) force += options.beta * algebra::multiply(model.problem.matrices.stiffness, v);
   return force;
 }
 
 /// The equations of one step for d.
 class StepEquations {
  public:
-  StepEquations(FullModel& model, const DynamicOptions& options, const Rule& rule, const petsc::Tall& u0)
+  StepEquations(FullModel& model, const DynamicOptions& options, const Rule& rule, const algebra::Tall& u0)
       : model_(model), options_(options), rule_(rule), u0_(u0) {}
 
-  petsc::Equations equations() {
-    return {[this](const petsc::Tall& d, petsc::Tall& r) { r = residual(d); },
-            [this](const petsc::Tall& d) { tangent(d); },
-            [this](const petsc::Tall& d) { return force_rounding(model_, u0_ + d); }};
+  algebra::Equations equations() {
+    return {[this](const algebra::Tall& d, algebra::Tall& r) { r = residual(d); },
+            [this](const algebra::Tall& d) { tangent(d); },
+            [this](const algebra::Tall& d) { return force_rounding(model_, u0_ + d); }};
   }
 
   /// The sum of the norms of the forces in balance where the step begins: a guess of its end may be far from anything
   /// that happens, and its forces no measure.
   double scale() const {
-    const petsc::Tall d = petsc::Tall::Zero(u0_.rows(), 1);
+    const algebra::Tall d = algebra::Tall::Zero(u0_.rows(), 1);
     return norm(model_, inertia(d)) + norm(model_, damping(d)) + norm(model_, internal(d)) + norm(model_, rule_.load);
   }
 
   /// `d`, or 0 where that is nearer to balance.
-  petsc::Tall better_than_none(const petsc::Tall& d) const {
-    const petsc::Tall none = petsc::Tall::Zero(d.rows(), 1);
+  algebra::Tall better_than_none(const algebra::Tall& d) const {
+    const algebra::Tall none = algebra::Tall::Zero(d.rows(), 1);
     return norm(model_, residual(d)) < norm(model_, residual(none)) ? d : none;
   }
 
  private:
-  petsc::Tall inertia(const petsc::Tall& d) const {
-    return petsc::multiply(model_.problem.matrices.mass, rule_.a * d + rule_.a0);
+  algebra::Tall inertia(const algebra::Tall& d) const {
+    return algebra::multiply(model_.problem.matrices.mass, rule_.a * d + rule_.a0);
   }
-  petsc::Tall damping(const petsc::Tall& d) const { return damp(model_, options_, rule_.v * d + rule_.v0); }
+  algebra::Tall damping(const algebra::Tall& d) const { return damp(model_, options_, rule_.v * d + rule_.v0); }
 
   /// u₀ + s_k d over vertices, a column each.
-  petsc::Tall stations(const petsc::Tall& d) const {
-    petsc::Tall u(d.rows(), rule_.points.size());
+  algebra::Tall stations(const algebra::Tall& d) const {
+    algebra::Tall u(d.rows(), rule_.points.size());
     for (Eigen::Index k = 0; k < u.cols(); ++k) u.col(k) = u0_.col(0) + rule_.points[k] * d.col(0);
     return mesh::to_vertices(model_.problem.mesh, model_.problem.dofs, u);
   }
 
-  petsc::Tall internal(const petsc::Tall& d) const {
+  algebra::Tall internal(const algebra::Tall& d) const {
     const auto sums = internal_forces(model_.problem, stations(d));
     return mesh::from_vertices(model_.problem.mesh, model_.problem.dofs, sums.forces) * rule_.weights;
   }
 
-  petsc::Tall residual(const petsc::Tall& d) const { return inertia(d) + damping(d) + internal(d) - rule_.load; }
+  algebra::Tall residual(const algebra::Tall& d) const { return inertia(d) + damping(d) + internal(d) - rule_.load; }
 
-  void tangent(const petsc::Tall& d) {
+  void tangent(const algebra::Tall& d) {
     Mat J = model_.tangent.matrix;
     const Eigen::VectorXd weights = rule_.weights.cwiseProduct(rule_.points);
     fill_tangent(model_.tangent, model_.problem, weights, stations(d));
-    petsc::check(MatAXPY(J, rule_.a + options_.alpha * rule_.v, model_.problem.matrices.mass, SUBSET_NONZERO_PATTERN));
+    algebra::check(
+        MatAXPY(J, rule_.a + options_.alpha * rule_.v, model_.problem.matrices.mass, SUBSET_NONZERO_PATTERN));
     if (options_.beta != 0)
-      petsc::check(MatAXPY(J, options_.beta * rule_.v, model_.problem.matrices.stiffness, SAME_NONZERO_PATTERN));
+      algebra::check(MatAXPY(J, options_.beta * rule_.v, model_.problem.matrices.stiffness, SAME_NONZERO_PATTERN));
   }
 
   FullModel& model_;
   const DynamicOptions& options_;
   const Rule& rule_;
-  const petsc::Tall& u0_;
+  const algebra::Tall& u0_;
 };
 
 class Motion {
@@ -144,21 +145,21 @@ class Motion {
  private:
   /// Nothing where Newton did not converge.
   std::optional<DynamicState> step(const DynamicState& now, double dt) {
-    const petsc::Tall F0 = load_(now.t), F1 = load_(now.t + dt);
+    const algebra::Tall F0 = load_(now.t), F1 = load_(now.t + dt);
     const Rule r = rule(model_.problem.materials, options_.integrator, now, dt, F0, F1);
     StepEquations equations(model_, options_, r, now.u);
-    petsc::Tall d = equations.better_than_none(dt * now.v + dt * dt / 2 * now.a);
+    algebra::Tall d = equations.better_than_none(dt * now.v + dt * dt / 2 * now.a);
     scale_ = equations.scale();
     outcome_ = model_.newton.solve(equations.equations(), options_.tolerance, scale_, d);
     report.newton_iterations += outcome_.iterations;
     report.factorizations += outcome_.factorizations;
-    if (outcome_.result == petsc::Convergence::failed) return std::nullopt;
+    if (outcome_.result == algebra::Convergence::failed) return std::nullopt;
 
     DynamicState next{now.t + dt, now.u + d, r.v * d + r.v0, r.a * d + r.a0, now.energies};
     if (options_.integrator == FullIntegrator::avf) next.v = 2 / dt * d - now.v;
     next.energies.work += dot(model_, d, F0 + F1) / 2;
     next.energies.dissipated += dot(model_, d, damp(model_, options_, d)) / dt;
-    next.energies.kinetic = dot(model_, next.v, petsc::multiply(model_.problem.matrices.mass, next.v)) / 2;
+    next.energies.kinetic = dot(model_, next.v, algebra::multiply(model_.problem.matrices.mass, next.v)) / 2;
     next.energies.elastic = energy_and_force(model_, next.u).energy;
     return next;
   }
@@ -172,22 +173,22 @@ class Motion {
   FullModel& model_;
   const DynamicOptions& options_;
   const LoadAt& load_;
-  petsc::NewtonOutcome outcome_;
+  algebra::NewtonOutcome outcome_;
   double scale_ = 1;
 };
 
 }  // namespace
 
-petsc::Tall balanced_acceleration(const FullModel& model, const DynamicOptions& options, const DynamicState& state,
-                                  const LoadAt& load) {
-  return petsc::solve_mass(model.problem.matrices.mass,
-                           load(state.t) - damp(model, options, state.v) - energy_and_force(model, state.u).force);
+algebra::Tall balanced_acceleration(const FullModel& model, const DynamicOptions& options, const DynamicState& state,
+                                    const LoadAt& load) {
+  return algebra::solve_mass(model.problem.matrices.mass,
+                             load(state.t) - damp(model, options, state.v) - energy_and_force(model, state.u).force);
 }
 
 DynamicState start_dynamics(FullModel& model, const DynamicOptions& options, DynamicState state, const LoadAt& load) {
   auto& e = state.energies;
   e.elastic = energy_and_force(model, state.u).energy;
-  e.kinetic = dot(model, state.v, petsc::multiply(model.problem.matrices.mass, state.v)) / 2;
+  e.kinetic = dot(model, state.v, algebra::multiply(model.problem.matrices.mass, state.v)) / 2;
   e.start = e.kinetic + e.elastic;
   if (options.integrator == FullIntegrator::newmark) state.a = balanced_acceleration(model, options, state, load);
   return state;

@@ -47,8 +47,8 @@ struct DynamicReport {
 };
 
 /// *Collective*. Solves M a = F(t) − D v − f(u) for a, m/s².
-petsc::Tall balanced_acceleration(const FullModel& model, const DynamicOptions& options, const DynamicState& state,
-                                  const LoadAt& load);
+algebra::Tall balanced_acceleration(const FullModel& model, const DynamicOptions& options, const DynamicState& state,
+                                    const LoadAt& load);
 
 /// *Collective*. Completes `state`, which is at rest at t = 0 or given: computes its energies and, for newmark, the
 /// acceleration of balanced_acceleration.

@@ -9,8 +9,8 @@ namespace ritz::stages {
 namespace {
 
 /// w_v f on every vertex.
-petsc::Tall spread(const Eigen::VectorXd& weights, const Eigen::Vector3d& f) {
-  petsc::Tall force(mesh::components * weights.size(), 1);
+algebra::Tall spread(const Eigen::VectorXd& weights, const Eigen::Vector3d& f) {
+  algebra::Tall force(mesh::components * weights.size(), 1);
   for (Eigen::Index v = 0; v < weights.size(); ++v) mesh::at_vertex(force.col(0), v) = weights[v] * f;
   return force;
 }
@@ -36,14 +36,14 @@ mesh::VertexRows traction_force(const mesh::Mesh& mesh, const mesh::Set& set, co
 }
 
 mesh::VertexRows pressure_force(const mesh::Mesh& mesh, const mesh::Set& set, double pascal) {
-  const petsc::Tall weights = face_weights(mesh, set.faces);
-  petsc::Tall force(mesh::components * mesh.owned, 1);
+  const algebra::Tall weights = face_weights(mesh, set.faces);
+  algebra::Tall force(mesh::components * mesh.owned, 1);
   for (int v = 0; v < mesh.owned; ++v) mesh::at_vertex(force.col(0), v) = pascal * weights.row(v).tail<3>().transpose();
   return force;
 }
 
 mesh::VertexRows body_force(const mesh::Mesh& mesh, Mat scalar_mass, const Eigen::Vector3d& acceleration) {
-  return spread(petsc::multiply(scalar_mass, petsc::Tall::Ones(mesh.owned, 1)), acceleration);
+  return spread(algebra::multiply(scalar_mass, algebra::Tall::Ones(mesh.owned, 1)), acceleration);
 }
 
 }  // namespace ritz::stages

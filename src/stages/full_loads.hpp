@@ -1,8 +1,8 @@
 // Dead loads on the full model: forces on the body at rest, which do not change while it moves. Each result has one
 // column over owned vertices, N, 3 rows for each vertex, fixed components included.
 #pragma once
+#include "ritz/algebra/multivector.hpp"
 #include "ritz/mesh/mesh.hpp"
-#include "ritz/petsc/multivector.hpp"
 
 namespace ritz::stages {
 

@@ -37,11 +37,12 @@ void add_rounding(const mesh::Mesh& mesh, const Cell<E>& cell, const mesh::Local
 
 }  // namespace
 
-FullModel full_model(const Problem& problem, petsc::LinearSolver solver) {
-  const bool iterative = solver == petsc::LinearSolver::iterative;
+FullModel full_model(const Problem& problem, algebra::LinearSolver solver) {
+  const bool iterative = solver == algebra::LinearSolver::iterative;
   Tangent tangent = empty_tangent(problem);
-  petsc::Newton newton(tangent.matrix, solver,
-                       iterative ? near_null_space(problem.mesh, problem.dofs) : petsc::Tall(problem.dofs.owned, 0));
+  algebra::Newton newton(
+      tangent.matrix, solver,
+      iterative ? near_null_space(problem.mesh, problem.dofs) : algebra::Tall(problem.dofs.owned, 0));
   return {problem, std::move(tangent), std::move(newton)};
 }
 
@@ -71,7 +72,7 @@ std::int64_t inverted_cells(const FullModel& model, mesh::FreeRef u) {
 double norm(const FullModel& model, mesh::FreeRef x) { return std::sqrt(dot(model, x, x)); }
 
 double dot(const FullModel& model, mesh::FreeRef x, mesh::FreeRef y) {
-  return petsc::inner(model.problem.mesh.comm, x, y)(0, 0);
+  return algebra::inner(model.problem.mesh.comm, x, y)(0, 0);
 }
 
 }  // namespace ritz::stages

@@ -2,7 +2,7 @@
 #pragma once
 #include <string>
 
-#include "ritz/petsc/newton.hpp"
+#include "ritz/algebra/newton.hpp"
 #include "ritz/stages/tangent.hpp"
 
 namespace ritz::stages {
@@ -11,11 +11,11 @@ namespace ritz::stages {
 struct FullModel {
   const Problem& problem;
   Tangent tangent;
-  petsc::Newton newton;
+  algebra::Newton newton;
 };
 
 /// *Collective*.
-FullModel full_model(const Problem& problem, petsc::LinearSolver solver);
+FullModel full_model(const Problem& problem, algebra::LinearSolver solver);
 
 struct EnergyAndForce {
   double energy;         ///< J

@@ -40,22 +40,22 @@ class Loading {
 
  private:
   bool solve(StaticState& state, double to, int depth) {
-    const petsc::Tall F = load_(to);
-    petsc::Tall u = state.u;
-    const petsc::Equations equations{[&](const petsc::Tall& x, petsc::Tall& r) {
-                                       auto [energy, force] = energy_and_force(model_, x);
-                                       energy_ = energy;
-                                       r = force - F;
-                                     },
-                                     [&](const petsc::Tall& x) { fill(x); },
-                                     [&](const petsc::Tall& x) { return force_rounding(model_, x); }};
+    const algebra::Tall F = load_(to);
+    algebra::Tall u = state.u;
+    const algebra::Equations equations{[&](const algebra::Tall& x, algebra::Tall& r) {
+                                         auto [energy, force] = energy_and_force(model_, x);
+                                         energy_ = energy;
+                                         r = force - F;
+                                       },
+                                       [&](const algebra::Tall& x) { fill(x); },
+                                       [&](const algebra::Tall& x) { return force_rounding(model_, x); }};
     const double scale = std::max(norm(model_, F), norm(model_, energy_and_force(model_, u).force));
     outcome_ = model_.newton.solve(equations, options_.tolerance, scale, u);
     scale_ = scale;
     report.newton_iterations += outcome_.iterations;
     report.factorizations += outcome_.factorizations;
     unstable_ = outcome_.iterations > 0 ? model_.newton.negative_pivots() : 0;
-    if (outcome_.result == petsc::Convergence::failed || unstable_ > 0) return false;
+    if (outcome_.result == algebra::Convergence::failed || unstable_ > 0) return false;
     const auto inverted = inverted_cells(model_, u);
     const bool smooth = depth == most_halvings && norm(model_, u - state.u) <= jump * norm(model_, u);
     if (inverted > report.inverted_cells && !smooth) return false;
@@ -64,7 +64,7 @@ class Loading {
     return true;
   }
 
-  void fill(const petsc::Tall& u) {
+  void fill(const algebra::Tall& u) {
     fill_tangent(model_.tangent, model_.problem, Eigen::VectorXd::Ones(1),
                  mesh::to_vertices(model_.problem.mesh, model_.problem.dofs, u));
   }
@@ -86,14 +86,14 @@ class Loading {
 
   std::string ending() const {
     const std::string residual = "Newton's relative residual " + shown(outcome_.residual / scale_, 3) + ", ";
-    if (outcome_.result == petsc::Convergence::failed) return residual + outcome_.reason;
+    if (outcome_.result == algebra::Convergence::failed) return residual + outcome_.reason;
     if (unstable_ > 0) return residual + std::to_string(unstable_) + " negative eigenvalues of the tangent";
     return residual + "where the body has jumped and cells are inside out";
   }
 
   [[noreturn]] void give_up(const StaticState& state, double to) {
     const std::string where = "beyond load fraction " + shown(state.fraction, 3), how = ending();
-    const bool lost = outcome_.result == petsc::Convergence::converged && unstable_ > 0;
+    const bool lost = outcome_.result == algebra::Convergence::converged && unstable_ > 0;
     if (lost || loses_stability(state, to))
       throw NumericalError("statics: no stable equilibrium was found " + where +
                            ", a limit point of the load or a bifurcation (" + how + ")");
@@ -105,7 +105,7 @@ class Loading {
   FullModel& model_;
   const StaticOptions& options_;
   const LoadAt& load_;
-  petsc::NewtonOutcome outcome_;
+  algebra::NewtonOutcome outcome_;
   std::int64_t unstable_ = 0;
   double energy_ = 0, scale_ = 1;
 };

@@ -7,12 +7,12 @@ namespace ritz::stages {
 model::Inertia inertia(const mesh::Mesh& mesh, Mat scalar_mass, mesh::VertexRef u) {
   const Eigen::Vector3d origin = mesh::bounding_box(mesh).middle();
   const Eigen::Index r = u.cols(), n = mesh.owned;
-  petsc::Tall B(n, 4 + mesh::components * r);
+  algebra::Tall B(n, 4 + mesh::components * r);
   B.col(0).setOnes();
   B.middleCols<3>(1) = (mesh.points.leftCols(n).colwise() - origin).transpose();
   for (int c = 0; c < mesh::components; ++c)
     B.middleCols(4 + c * r, r) = u(Eigen::seqN(c, n, mesh::components), Eigen::all);
-  const Eigen::MatrixXd gram = petsc::inner(mesh.comm, B, petsc::multiply(scalar_mass, B));
+  const Eigen::MatrixXd gram = algebra::inner(mesh.comm, B, algebra::multiply(scalar_mass, B));
   return {origin, (gram + gram.transpose()) / 2};
 }
 

@@ -1,8 +1,8 @@
 // The Gram matrix from which all inertia terms of a body are computed.
 #pragma once
+#include "ritz/algebra/multivector.hpp"
 #include "ritz/mesh/mesh.hpp"
 #include "ritz/model/model.hpp"
-#include "ritz/petsc/multivector.hpp"
 
 namespace ritz::stages {
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "ritz/petsc/multivector.hpp"
+#include "ritz/algebra/multivector.hpp"
 #include "ritz/stages/assemble.hpp"
 
 namespace ritz::stages {

@@ -2,7 +2,7 @@
 #pragma once
 #include <functional>
 
-#include "ritz/petsc/multivector.hpp"
+#include "ritz/algebra/multivector.hpp"
 #include "ritz/stages/assemble.hpp"
 
 namespace ritz::stages {
@@ -10,10 +10,10 @@ namespace ritz::stages {
 /// *Collective*. x ≈ (K − σM)⁻¹ b for all columns, with a shift σ ≤ 0 below the spectrum: exact for a factorization
 /// with σ = 0, otherwise a symmetric positive definite preconditioner for K on the complement of the rigid modes. The
 /// function owns what it needs.
-using Inverse = std::function<void(const petsc::ConstTallRef& b, petsc::TallRef x)>;
+using Inverse = std::function<void(const algebra::ConstTallRef& b, algebra::TallRef x)>;
 
 struct Solved {
-  petsc::Tall x;
+  algebra::Tall x;
   int iterations = 0;
   double residual = 0;  ///< the largest ‖Kx − b‖ / ‖b‖ of all columns
 };
@@ -22,7 +22,7 @@ struct Solved {
 /// M-orthonormal `rigid` modes. Conjugate gradients on all columns at once, preconditioned with `inverse` (an exact one
 /// ends them in one iteration), until ‖Kx − b‖ ≤ max(1e-11 ‖b‖, 10 ε ‖K‖₁‖x‖). Throws a NumericalError that names the
 /// residual.
-Solved solve(const Matrices& matrices, const Inverse& inverse, const petsc::Tall& rigid, double norm_K,
-             const petsc::ConstTallRef& b);
+Solved solve(const Matrices& matrices, const Inverse& inverse, const algebra::Tall& rigid, double norm_K,
+             const algebra::ConstTallRef& b);
 
 }  // namespace ritz::stages

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <memory>
 
+#include "ritz/algebra/check.hpp"
+#include "ritz/algebra/multigrid.hpp"
+#include "ritz/algebra/panel.hpp"
 #include "ritz/base/error.hpp"
-#include "ritz/petsc/check.hpp"
-#include "ritz/petsc/multigrid.hpp"
-#include "ritz/petsc/panel.hpp"
 #include "ritz/stages/eigen_strategy.hpp"
 #include "ritz/stages/fixed_vectors.hpp"
 #include "ritz/stages/lobpcg.hpp"
@@ -14,33 +14,33 @@ namespace ritz::stages {
 namespace {
 
 constexpr std::uint64_t lobpcg_start_stream = 2000;
-constexpr int panel = petsc::panel_width;
+constexpr int panel = algebra::panel_width;
 
 /// A multigrid cycle and the matrix that it is for.
 struct Cycle {
-  Cycle(petsc::Matrix A, const petsc::ConstTallRef& near_null)
+  Cycle(algebra::Matrix A, const algebra::ConstTallRef& near_null)
       : matrix(std::move(A)), multigrid(matrix, near_null, "multigrid_") {}
 
-  petsc::Matrix matrix;
-  petsc::Multigrid multigrid;
+  algebra::Matrix matrix;
+  algebra::Multigrid multigrid;
 };
 
 /// K − σM, positive definite.
-petsc::Matrix shifted(const Matrices& matrices, double sigma) {
-  petsc::Matrix A;
-  petsc::check(MatDuplicate(matrices.stiffness, MAT_COPY_VALUES, A.out()));
-  if (sigma != 0) petsc::check(MatAXPY(A, -sigma, matrices.mass, SUBSET_NONZERO_PATTERN));
+algebra::Matrix shifted(const Matrices& matrices, double sigma) {
+  algebra::Matrix A;
+  algebra::check(MatDuplicate(matrices.stiffness, MAT_COPY_VALUES, A.out()));
+  if (sigma != 0) algebra::check(MatAXPY(A, -sigma, matrices.mass, SUBSET_NONZERO_PATTERN));
   return A;
 }
 
 /// What is known already, and smooth columns beside it: one cycle takes the worst off fixed random loads.
-petsc::Tall start_block(const EigenProblem& problem, const petsc::Multigrid& cycle, const petsc::Tall& known,
-                        int width) {
+algebra::Tall start_block(const EigenProblem& problem, const algebra::Multigrid& cycle, const algebra::Tall& known,
+                          int width) {
   const auto fresh = std::max<int>(width - static_cast<int>(known.cols()), 4);
-  petsc::Tall start(problem.rigid.rows(), known.cols() + fresh);
+  algebra::Tall start(problem.rigid.rows(), known.cols() + fresh);
   start.leftCols(known.cols()) = known;
-  cycle.apply(petsc::multiply(problem.body.matrices.mass,
-                              fixed_vectors(problem.body.mesh, problem.body.dofs, fresh, lobpcg_start_stream)),
+  cycle.apply(algebra::multiply(problem.body.matrices.mass,
+                                fixed_vectors(problem.body.mesh, problem.body.dofs, fresh, lobpcg_start_stream)),
               start.rightCols(fresh));
   return start;
 }
@@ -52,12 +52,12 @@ int iterative_block(int wanted) {
   return (guarded + panel - 1) / panel * panel;
 }
 
-Found find_iteratively(const EigenProblem& problem, int wanted, const petsc::Tall& known,
+Found find_iteratively(const EigenProblem& problem, int wanted, const algebra::Tall& known,
                        const ModesProgress& progress) {
   progress("multigrid", 0);
   const auto cycle = std::make_shared<const Cycle>(shifted(problem.body.matrices, safe_shift(problem)),
                                                    near_null_space(problem.body.mesh, problem.body.dofs));
-  const Inverse inverse = [cycle](const petsc::ConstTallRef& r, petsc::TallRef z) { cycle->multigrid.apply(r, z); };
+  const Inverse inverse = [cycle](const algebra::ConstTallRef& r, algebra::TallRef z) { cycle->multigrid.apply(r, z); };
   LobpcgOptions options;
   options.wanted = wanted;
   auto found = lobpcg(problem.body.matrices.stiffness, problem.body.matrices.mass, problem.norm_K, inverse,

@@ -85,7 +85,7 @@ using Recovered = Strains<mesh::LocalRows>;
 Recovered recover(const mesh::Mesh& mesh, const fem::Materials& materials, const std::vector<int>& cells,
                   const mesh::LocalRows& local) {
   Eigen::VectorXd volumes = Eigen::VectorXd::Zero(mesh.owned);
-  const petsc::Tall zeros = petsc::Tall::Zero(mesh::components * mesh.owned, local.cols());
+  const algebra::Tall zeros = algebra::Tall::Zero(mesh::components * mesh.owned, local.cols());
   Strains<mesh::VertexRows> sums{zeros, zeros};
   for (const int c : cells)
     visit_linear(mesh, materials, c,

@@ -6,9 +6,9 @@
 #include <memory>
 #include <numeric>
 
+#include "ritz/algebra/check.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/base/shown.hpp"
-#include "ritz/petsc/check.hpp"
 #include "ritz/stages/canonical.hpp"
 #include "ritz/stages/eigen_strategy.hpp"
 #include "ritz/stages/fixed_vectors.hpp"
@@ -54,19 +54,19 @@ Shift choose_shift(const Eigen::VectorXd& values, Index kept) {
 }
 
 /// The rigid motions, M-orthonormal one after the other: translations stay translations.
-petsc::Tall rigid_modes(const Problem& problem) {
-  petsc::Tall R = rigid_motions(problem.mesh, problem.dofs);
+algebra::Tall rigid_modes(const Problem& problem) {
+  algebra::Tall R = rigid_motions(problem.mesh, problem.dofs);
   for (int pass = 0; pass < 2 && R.cols() > 0; ++pass) {
     const Eigen::LLT<Eigen::MatrixXd> gram(
-        petsc::inner(problem.mesh.comm, R, petsc::multiply(problem.matrices.mass, R)));
+        algebra::inner(problem.mesh.comm, R, algebra::multiply(problem.matrices.mass, R)));
     if (gram.info() != Eigen::Success)
       throw NumericalError("the rigid modes of the body are not independent: is a piece a single point?");
-    petsc::normalise(R, gram);
+    algebra::normalise(R, gram);
   }
   return R;
 }
 
-Index flexible_modes(const mesh::Dofs& dofs, const petsc::Tall& rigid) { return dofs.total - rigid.cols(); }
+Index flexible_modes(const mesh::Dofs& dofs, const algebra::Tall& rigid) { return dofs.total - rigid.cols(); }
 
 class Search {
  public:
@@ -74,7 +74,7 @@ class Search {
       : problem_(problem),
         options_(options),
         progress_(progress),
-        solver_(std::make_shared<petsc::Factorization>(problem.body.mesh.comm, "solve_")),
+        solver_(std::make_shared<algebra::Factorization>(problem.body.mesh.comm, "solve_")),
         most_(flexible_modes(problem.body.dofs, problem.rigid)) {}
 
   /// Pairs found so far, and how many of them to keep.
@@ -82,7 +82,7 @@ class Search {
   Index kept = 0;
   model::Certificate certificate;
 
-  void run(const petsc::Tall& known) {
+  void run(const algebra::Tall& known) {
     const Index wanted = std::min<Index>(options_.count + spare_pairs, most_);
     found = find(static_cast<int>(wanted), known);
     keep_clusters_whole(wanted);
@@ -106,10 +106,10 @@ class Search {
   void keep_inverse() {
     if (options_.slepc)
       solver_->factor(problem_.body.matrices.stiffness, problem_.body.matrices.mass, safe_shift(problem_));
-    found.inverse = [solver = solver_](const petsc::ConstTallRef& b, petsc::TallRef x) { solver->solve(b, x); };
+    found.inverse = [solver = solver_](const algebra::ConstTallRef& b, algebra::TallRef x) { solver->solve(b, x); };
   }
 
-  Found find(int wanted, const petsc::Tall& known) {
+  Found find(int wanted, const algebra::Tall& known) {
     if (options_.strategy == Strategy::iterative) return find_iteratively(problem_, wanted, known, progress_);
     if (options_.slepc) return find_by_krylov_schur(problem_, wanted);
     return find_direct(problem_, wanted, known, options_, *solver_, progress_);
@@ -123,7 +123,7 @@ class Search {
       // Sylvester's law of inertia: the negative pivots of K − σM are the eigenvalues below σ.
       const auto counter = options_.inverse == InverseUse::spent
                                ? solver_
-                               : std::make_shared<petsc::Factorization>(problem_.body.mesh.comm, "solve_");
+                               : std::make_shared<algebra::Factorization>(problem_.body.mesh.comm, "solve_");
       counter->factor(problem_.body.matrices.stiffness, problem_.body.matrices.mass, shift.sigma);
       certificate = {model::Certified::inertia, shift.sigma, counter->negative_pivots(),
                      problem_.rigid.cols() + shift.below};
@@ -142,22 +142,22 @@ class Search {
   const EigenProblem& problem_;
   const ModesOptions& options_;
   const ModesProgress& progress_;
-  std::shared_ptr<petsc::Factorization> solver_;
+  std::shared_ptr<algebra::Factorization> solver_;
   Index most_;
 };
 
 /// The Rayleigh quotients of M-normalised vectors.
-Eigen::VectorXd energies_of(const EigenProblem& problem, const petsc::ConstTallRef& vectors) {
+Eigen::VectorXd energies_of(const EigenProblem& problem, const algebra::ConstTallRef& vectors) {
   return strain_energies(problem.body, mesh::to_vertices(problem.body.mesh, problem.body.dofs, vectors));
 }
 
 /// Puts M-normalised vectors in the order of their Rayleigh quotients, and returns these.
-Eigen::VectorXd sort_by_energy(const EigenProblem& problem, petsc::TallRef vectors) {
+Eigen::VectorXd sort_by_energy(const EigenProblem& problem, algebra::TallRef vectors) {
   const Eigen::VectorXd energies = energies_of(problem, vectors);
   std::vector<Index> order(static_cast<std::size_t>(energies.size()));
   std::iota(order.begin(), order.end(), Index{0});
   std::sort(order.begin(), order.end(), [&](Index a, Index b) { return energies[a] < energies[b]; });
-  vectors = petsc::Tall(vectors(Eigen::all, order));
+  vectors = algebra::Tall(vectors(Eigen::all, order));
   return energies(order);
 }
 
@@ -185,13 +185,13 @@ ModesResult summarise(const EigenProblem& problem, const ModesOptions& options, 
   model::Modes& modes = result.modes;
   modes.eigenvalues = Eigen::VectorXd::Zero(all);
   modes.eigenvalues.tail(flexible) = values;
-  const petsc::Tall kpsi = petsc::multiply(matrices.stiffness, result.vectors);
-  const Eigen::MatrixXd gram = petsc::inner(comm, result.vectors, petsc::multiply(matrices.mass, result.vectors));
-  modes.energies = petsc::inner(comm, result.vectors, kpsi).diagonal();
+  const algebra::Tall kpsi = algebra::multiply(matrices.stiffness, result.vectors);
+  const Eigen::MatrixXd gram = algebra::inner(comm, result.vectors, algebra::multiply(matrices.mass, result.vectors));
+  modes.energies = algebra::inner(comm, result.vectors, kpsi).diagonal();
   modes.energies.head(rigid) = energies_of(problem, problem.rigid);  // K's rounding is more than they store
   modes.orthonormality = all > 0 ? (gram - Eigen::MatrixXd::Identity(all, all)).cwiseAbs().maxCoeff() : 0;
-  modes.residuals = petsc::column_norms(comm, kpsi)
-                        .cwiseQuotient((problem.norm_K * petsc::column_norms(comm, result.vectors)).cwiseMax(1e-300));
+  modes.residuals = algebra::column_norms(comm, kpsi)
+                        .cwiseQuotient((problem.norm_K * algebra::column_norms(comm, result.vectors)).cwiseMax(1e-300));
   const Residuals r = residuals(matrices.stiffness, matrices.mass, problem.norm_K, {values, vectors});
   modes.residuals.tail(flexible) = r.relative;
   modes.floor_applies.assign(static_cast<std::size_t>(all), 0);
@@ -228,7 +228,7 @@ void check_rigid_energies(const model::Modes& modes, Index rigid) {
 
 ModesResult linear_modes(const Problem& body, const ModesOptions& options, mesh::FreeRef earlier,
                          const ModesProgress& progress) {
-  const petsc::Tall rigid = rigid_modes(body);
+  const algebra::Tall rigid = rigid_modes(body);
   const EigenProblem problem{body, rigid, one_norm(body.matrices.stiffness)};
   Search search(problem, options, progress);
   if (options.count > 0 && flexible_modes(body.dofs, rigid) > 0) search.run(earlier);

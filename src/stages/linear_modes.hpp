@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "ritz/algebra/factorization.hpp"
 #include "ritz/model/model.hpp"
-#include "ritz/petsc/factorization.hpp"
 #include "ritz/stages/assemble.hpp"
 #include "ritz/stages/inverse.hpp"
 
@@ -41,12 +41,12 @@ struct ModesResult {
 };
 
 /// The rigid modes, which are the first columns.
-inline petsc::ConstTallRef rigid_modes(const ModesResult& result) {
+inline algebra::ConstTallRef rigid_modes(const ModesResult& result) {
   return result.vectors.leftCols(std::ranges::count(result.modes.kinds, model::ModeKind::rigid));
 }
 
 /// The flexible modes, which follow the rigid ones, λ ascending.
-inline petsc::ConstTallRef flexible_modes(const ModesResult& result) {
+inline algebra::ConstTallRef flexible_modes(const ModesResult& result) {
   return result.vectors.rightCols(result.vectors.cols() - rigid_modes(result).cols());
 }
 

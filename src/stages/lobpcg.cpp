@@ -4,8 +4,8 @@
 #include <limits>
 #include <vector>
 
-#include "ritz/petsc/dense.hpp"
-#include "ritz/petsc/handle.hpp"
+#include "ritz/algebra/dense.hpp"
+#include "ritz/algebra/handle.hpp"
 
 namespace ritz::stages {
 namespace {
@@ -16,8 +16,8 @@ using Eigen::MatrixXd;
 constexpr double dependent = 1e-12;  ///< squared size of a direction that the others hold already
 constexpr int refreshing = 5;        ///< iterations between two clean-ups
 
-petsc::Tall joined(const petsc::ConstTallRef& a, const petsc::ConstTallRef& b) {
-  petsc::Tall both(a.rows(), a.cols() + b.cols());
+algebra::Tall joined(const algebra::ConstTallRef& a, const algebra::ConstTallRef& b) {
+  algebra::Tall both(a.rows(), a.cols() + b.cols());
   both << a, b;
   return both;
 }
@@ -29,26 +29,26 @@ MatrixXd directions(const MatrixXd& C, const std::vector<Index>& columns) {
   D.topRows(C.cols()).setZero();
   D = D * D.colwise().norm().cwiseMax(std::numeric_limits<double>::min()).cwiseInverse().asDiagonal();
   for (int pass = 0; pass < 2; ++pass) D -= C * (C.transpose() * D);
-  const auto [values, vectors] = petsc::symmetric_eigen(D.transpose() * D);
+  const auto [values, vectors] = algebra::symmetric_eigen(D.transpose() * D);
   const Index rank = (values.array() > dependent * values.tail(1)[0]).count();
   return D * vectors.rightCols(rank) * values.tail(rank).cwiseSqrt().cwiseInverse().asDiagonal();
 }
 
 /// Takes rounding out of X and P.
-void refresh(Mat M, const petsc::ConstTallRef& locked, petsc::Tall& X, petsc::Tall& P) {
-  petsc::Tall x = X;
-  if (petsc::orthonormalise(M, locked, x) == X.cols()) X = x;
-  P.conservativeResize(Eigen::NoChange, petsc::orthonormalise(M, joined(locked, X), P));
+void refresh(Mat M, const algebra::ConstTallRef& locked, algebra::Tall& X, algebra::Tall& P) {
+  algebra::Tall x = X;
+  if (algebra::orthonormalise(M, locked, x) == X.cols()) X = x;
+  P.conservativeResize(Eigen::NoChange, algebra::orthonormalise(M, joined(locked, X), P));
 }
 
 }  // namespace
 
 LobpcgResult lobpcg(Mat K, Mat M, double norm_K, const BlockPreconditioner& precondition,
-                    const petsc::ConstTallRef& locked, const petsc::ConstTallRef& start, const LobpcgOptions& options,
-                    const LobpcgProgress& progress) {
-  const MPI_Comm comm = petsc::comm_of(K);
+                    const algebra::ConstTallRef& locked, const algebra::ConstTallRef& start,
+                    const LobpcgOptions& options, const LobpcgProgress& progress) {
+  const MPI_Comm comm = algebra::comm_of(K);
   RitzPairs x = rayleigh_ritz(K, M, locked, start);
-  petsc::Tall P(start.rows(), 0);
+  algebra::Tall P(start.rows(), 0);
   LobpcgResult result;
   double best = std::numeric_limits<double>::infinity();
   for (int waited = 0; result.iterations < options.iterations && waited < options.patience; ++result.iterations) {
@@ -67,19 +67,19 @@ LobpcgResult lobpcg(Mat K, Mat M, double norm_K, const BlockPreconditioner& prec
     std::vector<Index> active;
     for (Index j = 0; j < x.values.size(); ++j)
       if (j >= wanted || !met(j)) active.push_back(j);
-    petsc::Tall W(start.rows(), static_cast<Index>(active.size()));
+    algebra::Tall W(start.rows(), static_cast<Index>(active.size()));
     precondition(r.vectors(Eigen::all, active), W);
 
     if (result.iterations % refreshing == refreshing - 1) refresh(M, locked, x.vectors, P);
-    const petsc::Tall XP = joined(x.vectors, P);
-    W.conservativeResize(Eigen::NoChange, petsc::orthonormalise(M, joined(locked, XP), W));
-    const petsc::Tall S = joined(XP, W);
-    const MatrixXd G = petsc::inner(comm, S, petsc::multiply(K, S));
-    const auto [values, vectors] = petsc::symmetric_eigen((G + G.transpose()) / 2);
+    const algebra::Tall XP = joined(x.vectors, P);
+    W.conservativeResize(Eigen::NoChange, algebra::orthonormalise(M, joined(locked, XP), W));
+    const algebra::Tall S = joined(XP, W);
+    const MatrixXd G = algebra::inner(comm, S, algebra::multiply(K, S));
+    const auto [values, vectors] = algebra::symmetric_eigen((G + G.transpose()) / 2);
     const Index kept = x.values.size();
     const MatrixXd C = vectors.leftCols(kept);
-    P = petsc::combine(S, directions(C, active));
-    x = {values.head(kept), petsc::combine(S, C)};
+    P = algebra::combine(S, directions(C, active));
+    x = {values.head(kept), algebra::combine(S, C)};
   }
   const Index count = std::min<Index>(options.wanted, x.values.size());
   result.pairs = {x.values.head(count), x.vectors.leftCols(count)};

@@ -20,7 +20,7 @@ struct LobpcgResult {
 };
 
 /// z ≈ K⁻¹ r for a block of columns, symmetric and positive definite.
-using BlockPreconditioner = std::function<void(const petsc::ConstTallRef& r, petsc::TallRef z)>;
+using BlockPreconditioner = std::function<void(const algebra::ConstTallRef& r, algebra::TallRef z)>;
 
 /// Called after each iteration with the number of wanted pairs that have converged.
 using LobpcgProgress = std::function<void(int converged, int wanted)>;
@@ -31,7 +31,7 @@ using LobpcgProgress = std::function<void(int converged, int wanted)>;
 /// has more columns than are wanted, to guard against missed modes. Pairs that meet their bound are not improved
 /// further. `norm_K` is ‖K‖₁.
 LobpcgResult lobpcg(Mat K, Mat M, double norm_K, const BlockPreconditioner& precondition,
-                    const petsc::ConstTallRef& locked, const petsc::ConstTallRef& start, const LobpcgOptions& options,
-                    const LobpcgProgress& progress);
+                    const algebra::ConstTallRef& locked, const algebra::ConstTallRef& start,
+                    const LobpcgOptions& options, const LobpcgProgress& progress);
 
 }  // namespace ritz::stages

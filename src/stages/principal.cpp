@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "ritz/petsc/dense.hpp"
-#include "ritz/petsc/handle.hpp"
+#include "ritz/algebra/dense.hpp"
+#include "ritz/algebra/handle.hpp"
 
 namespace ritz::stages {
 namespace {
@@ -18,13 +18,13 @@ constexpr double small_enough_for_jacobi = 1e-9;
 constexpr double independent = 1e-13;  ///< of σ₁: rounding makes smaller directions up
 
 /// The columns scaled to unit length: only for conditioning, the scale does not enter the decomposition.
-petsc::Tall normalised(MPI_Comm comm, const petsc::ConstTallRef& block) {
-  const Eigen::VectorXd norms = petsc::column_norms(comm, block);
+algebra::Tall normalised(MPI_Comm comm, const algebra::ConstTallRef& block) {
+  const Eigen::VectorXd norms = algebra::column_norms(comm, block);
   return block * norms.unaryExpr([](double n) { return n > 0 ? 1 / n : 0; }).asDiagonal();
 }
 
 /// Singular values and left vectors by Jacobi's rotations: slower, and right relative to each σ.
-petsc::SingularVectors by_rotations(const MatrixXd& small) {
+algebra::SingularVectors by_rotations(const MatrixXd& small) {
   const Eigen::JacobiSVD<MatrixXd> svd(small, Eigen::ComputeThinU | Eigen::ComputeThinV);
   return {svd.singularValues(), svd.matrixU()};
 }
@@ -42,30 +42,30 @@ double dispensable(const Principal& set, const Cut& cut) {
   return cut.size == 0 && set.sigma.size() > 0 ? cut.tolerance / 2 * set.sigma[0] : negligible(set, cut);
 }
 
-void add(Mat M, Principal& set, const petsc::ConstTallRef& block, const Cut& cut) {
+void add(Mat M, Principal& set, const algebra::ConstTallRef& block, const Cut& cut) {
   if (block.cols() == 0) return;
-  const MPI_Comm comm = petsc::comm_of(M);
+  const MPI_Comm comm = algebra::comm_of(M);
   const Index old = set.sigma.size();
   if (old == 0) set.Q.resize(block.rows(), 0);
-  petsc::Tall fresh = normalised(comm, block);
-  const int width = petsc::orthonormalise(M, set.Q, fresh);
+  algebra::Tall fresh = normalised(comm, block);
+  const int width = algebra::orthonormalise(M, set.Q, fresh);
   if (old + width == 0) return;  // nothing moves
-  petsc::Tall both(block.rows(), old + width);
+  algebra::Tall both(block.rows(), old + width);
   both << set.Q, fresh.leftCols(width);
 
   MatrixXd small = MatrixXd::Zero(both.cols(), old + block.cols());
   small.topLeftCorner(old, old) = set.sigma.asDiagonal();
-  small.rightCols(block.cols()) = petsc::inner(comm, both, petsc::multiply(M, block));
+  small.rightCols(block.cols()) = algebra::inner(comm, both, algebra::multiply(M, block));
   // What orthonormalisation took for dependent is left out as well.
-  const petsc::Tall rest = block - petsc::combine(both, small.rightCols(block.cols()));
-  set.discarded += std::max(0.0, petsc::inner(comm, rest, petsc::multiply(M, rest)).trace());
+  const algebra::Tall rest = block - algebra::combine(both, small.rightCols(block.cols()));
+  set.discarded += std::max(0.0, algebra::inner(comm, rest, algebra::multiply(M, rest)).trace());
   const bool graded = old == 0 || negligible(set, cut) < small_enough_for_jacobi * set.sigma[0];
-  auto [sigma, left] = graded ? by_rotations(small) : petsc::left_singular_vectors(small);
+  auto [sigma, left] = graded ? by_rotations(small) : algebra::left_singular_vectors(small);
   set.sigma = std::move(sigma);
   const double least = negligible(set, cut);
   const Index count = (set.sigma.array() > least).count();
   set.discarded += set.sigma.tail(set.sigma.size() - count).squaredNorm();
-  set.Q = petsc::combine(both, left.leftCols(count));
+  set.Q = algebra::combine(both, left.leftCols(count));
   set.sigma.conservativeResize(count);
 }
 

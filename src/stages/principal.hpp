@@ -1,13 +1,13 @@
 // The principal directions of a set of vectors that arrives in blocks.
 #pragma once
-#include "ritz/petsc/multivector.hpp"
+#include "ritz/algebra/multivector.hpp"
 
 namespace ritz::stages {
 
 /// A truncated singular value decomposition, in the M-norm, of all vectors added so far: the set is Q diag(σ) Vᵀ plus
 /// what was discarded. V is not kept.
 struct Principal {
-  petsc::Tall Q;          ///< M-orthonormal columns
+  algebra::Tall Q;        ///< M-orthonormal columns
   Eigen::VectorXd sigma;  ///< descending
   double discarded = 0;   ///< Σσ² over the σ that were dropped
 };
@@ -28,7 +28,7 @@ double negligible(const Principal& set, const Cut& cut);
 double dispensable(const Principal& set, const Cut& cut);
 
 /// *Collective*. Adds the columns of `block` and drops negligible directions [Brand 2002].
-void add(Mat M, Principal& set, const petsc::ConstTallRef& block, const Cut& cut);
+void add(Mat M, Principal& set, const algebra::ConstTallRef& block, const Cut& cut);
 
 /// The number of directions that the cut keeps.
 int kept(const Principal& set, const Cut& cut);

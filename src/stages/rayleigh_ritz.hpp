@@ -1,22 +1,22 @@
 // Rayleigh-Ritz: the best eigenpairs in a subspace, and their residuals.
 #pragma once
-#include "ritz/petsc/multivector.hpp"
+#include "ritz/algebra/multivector.hpp"
 
 namespace ritz::stages {
 
 struct RitzPairs {
   Eigen::VectorXd values;  ///< λ ascending
-  petsc::Tall vectors;     ///< M-orthonormal
+  algebra::Tall vectors;   ///< M-orthonormal
 };
 
 /// *Collective*. Diagonalises K over span(x), after M-orthonormalising x against the M-orthonormal columns `against`;
 /// columns that depend linearly on others are dropped.
-RitzPairs rayleigh_ritz(Mat K, Mat M, const petsc::ConstTallRef& against, petsc::Tall x);
+RitzPairs rayleigh_ritz(Mat K, Mat M, const algebra::ConstTallRef& against, algebra::Tall x);
 
 struct Residuals {
   Eigen::VectorXd relative;  ///< ‖Kψ − λMψ‖ / (λ‖Mψ‖)
   Eigen::VectorXd gate;      ///< max(1e-8, 10 ε‖K‖‖ψ‖ / (λ‖Mψ‖)), the bound that `relative` has to meet
-  petsc::Tall vectors;       ///< Kψ − λMψ
+  algebra::Tall vectors;     ///< Kψ − λMψ
 };
 
 /// *Collective*. The residuals of the pairs. `norm_K` is ‖K‖₁.

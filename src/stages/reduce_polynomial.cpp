@@ -2,10 +2,10 @@
 
 #include <cmath>
 
+#include "ritz/algebra/dense.hpp"
 #include "ritz/fem/strain.hpp"
 #include "ritz/mesh/dofs.hpp"
 #include "ritz/parallel/comm.hpp"
-#include "ritz/petsc/dense.hpp"
 #include "ritz/stages/each_cell.hpp"
 
 namespace ritz::stages {
@@ -81,7 +81,7 @@ class Panel {
   }
 
   void flush() {
-    petsc::add_gram(gram, strains_.leftCols(used_));
+    algebra::add_gram(gram, strains_.leftCols(used_));
     used_ = 0;
   }
 

@@ -2,8 +2,8 @@
 
 #include <Eigen/QR>
 
+#include "ritz/algebra/dense.hpp"
 #include "ritz/parallel/comm.hpp"
-#include "ritz/petsc/dense.hpp"
 
 namespace ritz::stages {
 namespace {
@@ -113,7 +113,7 @@ Eigen::MatrixXd null_space(const Eigen::MatrixXd& constraints) {
   constexpr double tolerance = 1e-9;
   const auto n = constraints.cols();
   if (constraints.rows() == 0 || constraints.cwiseAbs().maxCoeff() == 0) return Eigen::MatrixXd::Identity(n, n);
-  const auto [sigma, V] = petsc::right_singular_vectors(constraints);
+  const auto [sigma, V] = algebra::right_singular_vectors(constraints);
   const auto rank = (sigma.array() > tolerance * sigma[0]).count();
   const Eigen::MatrixXd N = V.rightCols(n - rank);
   Eigen::MatrixXd basis(n, n - rank);
@@ -126,9 +126,9 @@ Eigen::MatrixXd null_space(const Eigen::MatrixXd& constraints) {
   return basis.leftCols(found);
 }
 
-petsc::Tall evaluate(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Frames& frames,
-                     const Eigen::MatrixXd& coordinates) {
-  petsc::Tall u(mesh::components * mesh.owned, coordinates.cols());
+algebra::Tall evaluate(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Frames& frames,
+                       const Eigen::MatrixXd& coordinates) {
+  algebra::Tall u(mesh::components * mesh.owned, coordinates.cols());
   for (int v = 0; v < mesh.owned; ++v) {
     const int p = mesh.vertex_pieces[static_cast<std::size_t>(v)];
     mesh::at_vertex(u, v) = frames.motion(p, mesh.points.col(v)) * coordinates.middleRows<6>(6 * p);

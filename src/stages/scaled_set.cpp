@@ -40,7 +40,7 @@ void add_derivatives(const ScaledSource& source, int count, int block, const Cut
   if (fresh <= 0) return;
   // The new modes first: their rows of pairs are all that is new.
   Eigen::VectorXd values(count);
-  petsc::Tall vectors(source.entering.vectors.rows(), count);
+  algebra::Tall vectors(source.entering.vectors.rows(), count);
   values << source.entering.values.segment(old, fresh), source.entering.values.head(old);
   vectors << source.entering.vectors.middleCols(old, fresh), source.entering.vectors.leftCols(old);
   const double first = source.entering.values[0];

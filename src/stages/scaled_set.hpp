@@ -8,7 +8,7 @@ namespace ritz::stages {
 /// The flexible modes that enter a basis, λ ascending.
 struct EnteringModes {
   Eigen::VectorXd values;  ///< 1/s²
-  petsc::Tall vectors;     ///< M-orthonormal
+  algebra::Tall vectors;   ///< M-orthonormal
 };
 
 /// The data that the set is made from; it must outlive the calls.

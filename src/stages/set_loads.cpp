@@ -12,7 +12,7 @@ using Eigen::Index;
 Eigen::MatrixXd project(const mesh::Mesh& mesh, mesh::VertexRef u, const Eigen::VectorXd& weights) {
   Eigen::MatrixXd result(u.cols(), mesh::components);
   for (int c = 0; c < 3; ++c) {
-    const petsc::Tall component = u(Eigen::seqN(c, mesh.owned, mesh::components), Eigen::all);
+    const algebra::Tall component = u(Eigen::seqN(c, mesh.owned, mesh::components), Eigen::all);
     result.col(c) = component.transpose() * weights;
   }
   parallel::sum_in_place(mesh.comm, result);
@@ -20,7 +20,7 @@ Eigen::MatrixXd project(const mesh::Mesh& mesh, mesh::VertexRef u, const Eigen::
 }
 
 void add_surface(const mesh::Mesh& mesh, const mesh::Set& set, mesh::VertexRef u, model::SetLoad& load) {
-  const petsc::Tall weights = face_weights(mesh, set.faces);
+  const algebra::Tall weights = face_weights(mesh, set.faces);
   load.has_surface = true;
   load.area = parallel::sum(mesh.comm, weights.col(0).sum());
   load.traction = project(mesh, u, weights.col(0));

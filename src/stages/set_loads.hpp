@@ -2,9 +2,9 @@
 #pragma once
 #include <vector>
 
+#include "ritz/algebra/multivector.hpp"
 #include "ritz/mesh/mesh.hpp"
 #include "ritz/model/model.hpp"
-#include "ritz/petsc/multivector.hpp"
 
 namespace ritz::stages {
 

@@ -1,12 +1,12 @@
+#include "ritz/algebra/eigensolver.hpp"
 #include "ritz/base/error.hpp"
-#include "ritz/petsc/eigensolver.hpp"
 #include "ritz/stages/eigen_strategy.hpp"
 
 namespace ritz::stages {
 
 Found find_by_krylov_schur(const EigenProblem& problem, int wanted) {
-  auto pairs = petsc::krylov_schur(problem.body.matrices.stiffness, problem.body.matrices.mass, safe_shift(problem),
-                                   problem.rigid, wanted, 1e-12);
+  auto pairs = algebra::krylov_schur(problem.body.matrices.stiffness, problem.body.matrices.mass, safe_shift(problem),
+                                     problem.rigid, wanted, 1e-12);
   if (pairs.values.size() < wanted)
     throw NumericalError("SLEPc's eigensolver converged to " + std::to_string(pairs.values.size()) + " of " +
                              std::to_string(wanted) + " modes in " + std::to_string(pairs.iterations) + " iterations",

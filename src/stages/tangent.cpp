@@ -12,7 +12,7 @@ namespace {
 /// Where a cell's sums go.
 struct Target {
   const BlockPattern& pattern;
-  petsc::Rows& rows;
+  algebra::Rows& rows;
   const mesh::Mesh& mesh;
   const mesh::Dofs& dofs;
 };
@@ -44,18 +44,18 @@ void add_cell(const Target& to, const Cell<E>& cell, const Eigen::VectorXd& weig
 
 Tangent empty_tangent(const Problem& problem) {
   BlockRows blocks = empty_rows(problem.mesh, problem.dofs);
-  return {std::move(blocks.pattern), petsc::symmetric_matrix(problem.mesh.comm, std::move(blocks.rows),
-                                                             problem.dofs.block, petsc::Definite::semi)};
+  return {std::move(blocks.pattern), algebra::symmetric_matrix(problem.mesh.comm, std::move(blocks.rows),
+                                                               problem.dofs.block, algebra::Definite::semi)};
 }
 
 void fill_tangent(Tangent& tangent, const Problem& problem, const Eigen::VectorXd& weights, mesh::VertexRef u) {
   const mesh::Mesh& mesh = problem.mesh;
   const mesh::LocalRows local = mesh::with_ghosts(mesh, u, mesh::components);
-  petsc::Rows& rows = petsc::storage(tangent.matrix);
-  for (petsc::Csr* part : {&rows.own, &rows.other}) std::fill(part->values.begin(), part->values.end(), 0.0);
+  algebra::Rows& rows = algebra::storage(tangent.matrix);
+  for (algebra::Csr* part : {&rows.own, &rows.other}) std::fill(part->values.begin(), part->values.end(), 0.0);
   const Target to{tangent.pattern, rows, mesh, problem.dofs};
   each_cell(mesh, problem.materials, [&]<class E>(const Cell<E>& cell) { add_cell(to, cell, weights, local); });
-  petsc::renewed(tangent.matrix);
+  algebra::renewed(tangent.matrix);
 }
 
 }  // namespace ritz::stages

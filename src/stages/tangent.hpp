@@ -8,7 +8,7 @@ namespace ritz::stages {
 /// A matrix with the pattern of K, whose values can be computed repeatedly.
 struct Tangent {
   BlockPattern pattern;
-  petsc::Matrix matrix;  ///< zeros at first
+  algebra::Matrix matrix;  ///< zeros at first
 };
 
 /// *Collective*. Makes the matrix, filled with zeros.

@@ -25,12 +25,12 @@ constexpr int halvings = 6, sizes_tried = 14;
 constexpr double largest_start = 0.01;    ///< of the body's size
 constexpr double clear_of_rounding = 30;  ///< times a bound that it reaches a tenth of
 
-double largest(MPI_Comm comm, const petsc::ConstTallRef& u) {
+double largest(MPI_Comm comm, const algebra::ConstTallRef& u) {
   return parallel::max(comm, u.size() > 0 ? u.cwiseAbs().maxCoeff() : 0.0);
 }
 
 /// Random reduced coordinates, one column a decade of the largest displacement.
-Eigen::MatrixXd samples(const mesh::Mesh& mesh, const petsc::ConstTallRef& u) {
+Eigen::MatrixXd samples(const mesh::Mesh& mesh, const algebra::ConstTallRef& u) {
   Eigen::MatrixXd z(u.cols(), decades);
   for (Index d = 0; d < decades; ++d) {
     for (Index i = 0; i < z.rows(); ++i)
@@ -53,12 +53,12 @@ void require(const std::string& what, double error, double allowed) {
 PolynomialErrors polynomial_witness(const Problem& problem, mesh::VertexRef u, const model::Polynomial& polynomial) {
   const auto& [mesh, dofs, materials, matrices] = problem;
   const Eigen::MatrixXd z = samples(mesh, u);
-  const petsc::Tall displaced = petsc::combine(u, z);
+  const algebra::Tall displaced = algebra::combine(u, z);
   const auto truth = internal_forces(problem, displaced);
-  const Eigen::MatrixXd reduced = petsc::inner(mesh.comm, u, truth.forces);
+  const Eigen::MatrixXd reduced = algebra::inner(mesh.comm, u, truth.forces);
   const Eigen::ArrayXd rounding = 10 * epsilon * one_norm(matrices.stiffness) *
-                                  petsc::column_norms(mesh.comm, displaced).array() *
-                                  petsc::column_norms(mesh.comm, u).maxCoeff();
+                                  algebra::column_norms(mesh.comm, displaced).array() *
+                                  algebra::column_norms(mesh.comm, u).maxCoeff();
   const auto forces = runtime::make_polynomial_force<double>(polynomial);
   auto evaluation = runtime::make_evaluation(forces);
   PolynomialErrors worst;
@@ -72,8 +72,8 @@ PolynomialErrors polynomial_witness(const Problem& problem, mesh::VertexRef u, c
     worst.force = std::max(worst.force, error);
     worst.energy = std::max(worst.energy, energy_error);
   }
-  const petsc::Tall free = mesh::from_vertices(mesh, dofs, u);
-  const Eigen::MatrixXd stiffness = petsc::inner(mesh.comm, free, petsc::multiply(matrices.stiffness, free));
+  const algebra::Tall free = mesh::from_vertices(mesh, dofs, u);
+  const Eigen::MatrixXd stiffness = algebra::inner(mesh.comm, free, algebra::multiply(matrices.stiffness, free));
   const double scale = stiffness.cwiseAbs().maxCoeff();
   worst.stiffness = (forces.linear - stiffness).cwiseAbs().maxCoeff() / scale;
   require("K at rest", worst.stiffness, rounding.maxCoeff() / (scale * z.col(decades - 1).norm()));
@@ -83,19 +83,20 @@ PolynomialErrors polynomial_witness(const Problem& problem, mesh::VertexRef u, c
 double taylor_slope(const DerivativesSource& source, mesh::FreeRef line, mesh::FreeRef curve) {
   const auto& [problem, found, flexible, rows] = source;
   const auto& [mesh, dofs, materials, matrices] = problem;
-  const petsc::Tall rigid = rigid_modes(found);
+  const algebra::Tall rigid = rigid_modes(found);
   const double start = largest_start * mesh::bounding_box(mesh).size().norm() / largest(mesh.comm, line);
   const Eigen::ArrayXd t = start * Eigen::ArrayXd::LinSpaced(sizes_tried, 0, sizes_tried - 1).unaryExpr([](double n) {
     return std::exp2(-n);
   });
-  const petsc::Tall path = line * t.matrix().transpose() + curve * t.square().matrix().transpose();
+  const algebra::Tall path = line * t.matrix().transpose() + curve * t.square().matrix().transpose();
   const auto forces = internal_forces(problem, mesh::to_vertices(mesh, dofs, path));
-  petsc::Tall remainder = mesh::from_vertices(mesh, dofs, forces.forces) -
-                          petsc::multiply(matrices.stiffness, line) * t.matrix().transpose();
+  algebra::Tall remainder = mesh::from_vertices(mesh, dofs, forces.forces) -
+                            algebra::multiply(matrices.stiffness, line) * t.matrix().transpose();
   if (rigid.cols() > 0)
-    petsc::subtract(remainder, petsc::multiply(matrices.mass, rigid), petsc::inner(mesh.comm, rigid, remainder));
-  const Eigen::ArrayXd sizes = petsc::column_norms(mesh.comm, remainder).array();
-  const Eigen::ArrayXd rounding = epsilon * one_norm(matrices.stiffness) * petsc::column_norms(mesh.comm, path).array();
+    algebra::subtract(remainder, algebra::multiply(matrices.mass, rigid), algebra::inner(mesh.comm, rigid, remainder));
+  const Eigen::ArrayXd sizes = algebra::column_norms(mesh.comm, remainder).array();
+  const Eigen::ArrayXd rounding =
+      epsilon * one_norm(matrices.stiffness) * algebra::column_norms(mesh.comm, path).array();
   Index clear = 0;
   while (clear < sizes_tried && sizes[clear] > clear_of_rounding * rounding[clear]) ++clear;
   if (clear <= halvings) return std::numeric_limits<double>::quiet_NaN();
@@ -113,10 +114,10 @@ void require_third_order(double slope) {
 }
 
 double taylor_witness(const DerivativesSource& source) {
-  const petsc::Tall psi = source.flexible.leftCols(std::min<Index>(3, source.flexible.cols()));
+  const algebra::Tall psi = source.flexible.leftCols(std::min<Index>(3, source.flexible.cols()));
   const auto modes = static_cast<int>(psi.cols());
   const Eigen::VectorXd p = Eigen::VectorXd::LinSpaced(modes, 1, modes).cwiseInverse();
-  petsc::Tall curve = petsc::Tall::Zero(psi.rows(), 1);
+  algebra::Tall curve = algebra::Tall::Zero(psi.rows(), 1);
   derivatives(
       {source.problem, source.modes, psi, modes}, modes * modes, [](Pair) { return 1.0; }, [] { return 0.0; },
       [&](const DerivativeBlock& block) {

@@ -10,12 +10,12 @@ from pathlib import Path
 import layers
 
 # Outside headers and the folders that may include them. Whatever is not listed belongs to nobody.
-EVERYWHERE_ABOVE_RUNTIME = {"files", "scene", "format", "tools", "readers", "parallel", "petsc", "mesh", "stages", "config",
+EVERYWHERE_ABOVE_RUNTIME = {"files", "scene", "format", "tools", "readers", "parallel", "algebra", "mesh", "stages", "config",
                             "app"}
 OUTSIDE = [
     (r"Eigen/\w+", {"fem", "model", "runtime", "world"} | EVERYWHERE_ABOVE_RUNTIME),
-    (r"(petsc|slepc)\w*\.h", {"petsc"}),
-    (r"mpi\.h", {"parallel", "petsc", "mesh", "stages", "config", "app"}),  # the last four: a communicator
+    (r"(petsc|slepc)\w*\.h", {"algebra"}),
+    (r"mpi\.h", {"parallel", "algebra", "mesh", "stages", "config", "app"}),  # the last four: a communicator
     (r"hdf5\.h|H5\w+\.h", {"format"}),
     (r"CLI/\w+\.hpp", {"tools"}),
     (r"toml\+\+/\w+\.h", {"scene_file"}),

@@ -10,8 +10,8 @@ ritz_layer(base INSTALLED)
 ritz_layer(fem INSTALLED USES base LIBRARIES Eigen3::Eigen)
 ritz_layer(format INSTALLED USES base LIBRARIES hdf5)  # serial
 ritz_layer(format_mpi FOLDER format USES base fem LIBRARIES hdf5)
-ritz_layer(petsc USES base)
-ritz_layer(app USES base format_mpi petsc)
+ritz_layer(algebra USES base)
+ritz_layer(app USES base format_mpi algebra)
 """
 
 
@@ -42,10 +42,10 @@ class Layers(unittest.TestCase):
         self.assert_right("src/fem/a.cpp", "#include <Eigen/Core>\n#include <vector>")
         self.assert_right("src/app/a.cpp", '#include "ritz/format/x.hpp"\n#include <iostream>')
         self.assert_right("src/format/a.cpp", '#include "ritz/fem/x.hpp"\n#include <hdf5.h>')
-        self.assert_right("src/petsc/a.cpp", "#include <petscmat.h>\n#include <mpi.h>")
+        self.assert_right("src/algebra/a.cpp", "#include <petscmat.h>\n#include <mpi.h>")
 
     def test_layers_above(self):
-        self.assert_wrong("src/fem/a.cpp", '#include "ritz/petsc/x.hpp"', "fem may not use petsc")
+        self.assert_wrong("src/fem/a.cpp", '#include "ritz/algebra/x.hpp"', "fem may not use algebra")
         self.assert_wrong("include/ritz/fem/a.hpp", '#include "ritz/app/x.hpp"', "fem may not use app")
 
     def test_transitive_is_not_enough(self):

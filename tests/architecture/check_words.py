@@ -6,7 +6,7 @@ import re
 import sys
 from pathlib import Path
 
-LAYERS = ["petsc", "stages", "runtime", "scene", "world"]
+LAYERS = ["algebra", "stages", "runtime", "scene", "world"]
 TABLE = "src/config/option_table.cpp"
 
 

@@ -5,15 +5,15 @@
 #include <string>
 #include <vector>
 
+#include "ritz/algebra/check.hpp"
 #include "ritz/config/command_line.hpp"
 #include "ritz/config/config.hpp"
-#include "ritz/petsc/check.hpp"
 
 namespace ritz::config::testing {
 
 /// The words after the program's name; what a run before left in PETSc's database is gone. *Collective*.
 inline Config configured(std::vector<std::string> words) {
-  static const bool quiet = (petsc::keep_messages(), true);
+  static const bool quiet = (algebra::keep_messages(), true);
   (void)quiet;
   words.insert(words.begin(), "ritz-reduce");
   std::vector<char*> pointers;

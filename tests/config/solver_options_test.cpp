@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "config/configured.hpp"
+#include "ritz/algebra/options.hpp"
 #include "ritz/base/error.hpp"
-#include "ritz/petsc/options.hpp"
 
 namespace ritz::config {
 namespace {
@@ -21,7 +21,7 @@ const std::vector<std::string> formats = {"default", "ascii_info"};
 /// Reading a command line must say no, before PETSc has met the option.
 void refuses(const std::string& name, const std::string& value) {
   EXPECT_THROW(with_box({"-" + name, value}), InputError) << name << " " << value;
-  EXPECT_TRUE(petsc::unread_options().empty()) << name << " " << value;
+  EXPECT_TRUE(algebra::unread_options().empty()) << name << " " << value;
 }
 
 TEST(SolverOptions, LetNoOtherOptionThrough) {

@@ -32,7 +32,7 @@ static_assert(OverFree<FreeRows> && !OverFree<VertexRows> && !OverFree<LocalRows
 static_assert(!OverVertices<FreeRows> && OverVertices<VertexRows> && !OverVertices<LocalRows>);
 static_assert(!OverLocals<FreeRows> && !OverLocals<VertexRows> && OverLocals<LocalRows>);
 static_assert(!std::is_assignable_v<FreeRows&, const VertexRows&>);
-static_assert(OverFree<petsc::Tall>, "what has no kind may become any");
+static_assert(OverFree<algebra::Tall>, "what has no kind may become any");
 
 using namespace mesh::testing;
 using ::testing::AllOf;
@@ -167,9 +167,9 @@ TEST_F(DofsOfABox, AreFixedWhereTheFileSaysSo) {
 
 TEST_F(DofsOfABox, GoToVerticesAndBack) {
   const Dofs dofs = number(mesh, {set("xmin", {true, false, true})});
-  petsc::Tall x(dofs.owned, 2);
+  algebra::Tall x(dofs.owned, 2);
   for (int i = 0; i < dofs.owned; ++i) x.row(i) << static_cast<double>(dofs.first + i) + 1, -1;
-  const petsc::Tall u = to_vertices(mesh, dofs, x);
+  const algebra::Tall u = to_vertices(mesh, dofs, x);
   ASSERT_EQ(u.rows(), 3 * mesh.owned);
   for (int v = 0; v < mesh.owned; ++v)
     for (int c = 0; c < 3; ++c)

@@ -18,14 +18,14 @@
 namespace ritz::test {
 namespace {
 
+using algebra::Tall;
 using Eigen::Index;
-using petsc::Tall;
 
 /// A cantilever that is bent far, and its equilibria under two loads.
 class AccurateBasis : public testing::TestWithParam<const char*> {
  protected:
   AccurateBasis() {
-    auto model = stages::full_model(r.p, petsc::LinearSolver::direct);
+    auto model = stages::full_model(r.p, algebra::LinearSolver::direct);
     path = {Tall(r.p.dofs.owned, 2), Tall(r.p.dofs.owned, 2)};
     stages::full_statics(
         model, {.steps = 2}, {0, Tall::Zero(r.p.dofs.owned, 1), 0},
@@ -60,7 +60,7 @@ class AccurateBasis : public testing::TestWithParam<const char*> {
     Eigen::VectorXd z = Eigen::VectorXd::Zero(U.cols()), last = z;
     double worst = 0;
     for (Index level = 0; level < 2; ++level) {
-      const Eigen::VectorXd load = petsc::inner(r.p.mesh.comm, U, path.loads.col(level));
+      const Eigen::VectorXd load = algebra::inner(r.p.mesh.comm, U, path.loads.col(level));
       if (runtime::solve_static<double>(model, {.begin = last, .end = load}, z, room).failure)
         return std::numeric_limits<double>::infinity();
       last = load;

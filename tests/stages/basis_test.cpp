@@ -15,8 +15,8 @@
 namespace ritz::test {
 namespace {
 
+using algebra::Tall;
 using Eigen::Index;
-using petsc::Tall;
 using stages::BasisOptions;
 
 void expect_orthonormal_and_diagonal(const Reduced& r, const stages::BasisResult& b) {
@@ -25,7 +25,7 @@ void expect_orthonormal_and_diagonal(const Reduced& r, const stages::BasisResult
   const Eigen::VectorXd& k = b.reduction.stiffness;
   ASSERT_EQ(k.size(), n);
   EXPECT_TRUE(std::is_sorted(k.begin(), k.end()));
-  const Eigen::MatrixXd K = petsc::inner(r.p.mesh.comm, b.U, petsc::multiply(r.p.matrices.stiffness, b.U));
+  const Eigen::MatrixXd K = algebra::inner(r.p.mesh.comm, b.U, algebra::multiply(r.p.matrices.stiffness, b.U));
   EXPECT_LE((K - Eigen::MatrixXd(k.asDiagonal())).cwiseAbs().maxCoeff(), 1e-12 * k[n - 1]);
   if (r.rigid.cols() > 0) {
     EXPECT_LE(r.gram(r.rigid, b.U).cwiseAbs().maxCoeff(), 1e-12);
@@ -34,7 +34,7 @@ void expect_orthonormal_and_diagonal(const Reduced& r, const stages::BasisResult
 
 /// ‖(I − U UᵀM) x‖_M of each column.
 Eigen::VectorXd left_out(const Reduced& r, const Tall& U, Tall x) {
-  petsc::subtract(x, U, r.gram(U, x));
+  algebra::subtract(x, U, r.gram(U, x));
   return r.norms(x);
 }
 
@@ -106,7 +106,7 @@ TEST_P(Bases, DependentSnapshotsAreFoundOut) {
 
 TEST_P(Bases, SnapshotsJoinTheModesWhateverTheirSize) {
   Tall x = stages::fixed_vectors(r.p.mesh, r.p.dofs, 3, 9);
-  if (r.rigid.cols() > 0) petsc::subtract(x, r.rigid, r.gram(r.rigid, x));
+  if (r.rigid.cols() > 0) algebra::subtract(x, r.rigid, r.gram(r.rigid, x));
   for (const double scale : {1e-6, 1., 1e6}) {
     const auto b = basis_of(r, {}, scale * x);
     EXPECT_EQ(b.U.cols(), r.flexible.cols() + 3);

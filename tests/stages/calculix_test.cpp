@@ -53,7 +53,7 @@ class CalculiX : public testing::Test {
     source.mesh = folder / "cantilever.v41.msh";
     return {problem(mesh::read(MPI_COMM_WORLD, source), {fixed("clamp")}, {test::stvk(1e6, .3, 1000)})};
   }
-  static petsc::Tall end_load(const FullRun& run, double p) {
+  static algebra::Tall end_load(const FullRun& run, double p) {
     return run.free(stages::shared_force(run.p.mesh, *run.p.mesh.find("tip"), {0, 0, -1.8 * p}));
   }
 
@@ -68,7 +68,7 @@ TEST_F(CalculiX, AgreesAtTheTipAndAtEveryVertex) {
   for (const auto& [p, tip] : tips) {
     SCOPED_TRACE("load " + shown(p));
     const auto u = run.statics(end_load(run, p), 1 + static_cast<int>(p / 2));
-    const petsc::Tall all = mesh::to_vertices(run.p.mesh, run.p.dofs, u);
+    const algebra::Tall all = mesh::to_vertices(run.p.mesh, run.p.dofs, u);
     const auto at = [&](int v) -> Eigen::Vector3d { return all.col(0).segment<3>(3 * v); };
     double largest = 0;
     for (int v = 0; v < run.p.mesh.owned; ++v) largest = std::max(largest, at(v).norm());

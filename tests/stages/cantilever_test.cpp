@@ -14,7 +14,7 @@
 namespace ritz::test {
 namespace {
 
-using petsc::Tall;
+using algebra::Tall;
 
 const std::filesystem::path known = std::filesystem::path(RITZ_SHARED) / "verification" / "tet4_cantilever";
 
@@ -62,7 +62,7 @@ class Cantilever : public testing::Test {
     Eigen::VectorXd z = Eigen::VectorXd::Zero(U.cols()), last = z;
     std::vector<double> found;
     for (const char* p : {"0.5", "2", "8"}) {
-      const Eigen::VectorXd load = petsc::inner(r.p.mesh.comm, U, end_load(r, 1.8 * std::stod(p)));
+      const Eigen::VectorXd load = algebra::inner(r.p.mesh.comm, U, end_load(r, 1.8 * std::stod(p)));
       EXPECT_FALSE(runtime::solve_static<double>(model, {.begin = last, .end = load}, z, room).failure);
       last = load;
       const Tall u = truth(r, p);

@@ -11,8 +11,8 @@
 namespace ritz::test {
 namespace {
 
+using algebra::Tall;
 using Eigen::Index;
-using petsc::Tall;
 using stages::Pair;
 
 struct Case {
@@ -43,13 +43,13 @@ class Derivatives : public testing::TestWithParam<Case> {
     both << epsilon * psi, -epsilon * psi;
     const Eigen::Vector2d weights(-.5 / epsilon, .5 / epsilon);
     stages::fill_tangent(tangent, r.p, weights, both);
-    return petsc::multiply(tangent.matrix, r.flexible);
+    return algebra::multiply(tangent.matrix, r.flexible);
   }
 
   /// (I − M R Rᵀ) b
   Tall projected(Tall b) const {
     if (r.rigid.cols() > 0)
-      petsc::subtract(b, petsc::multiply(r.p.matrices.mass, r.rigid), petsc::inner(comm, r.rigid, b));
+      algebra::subtract(b, algebra::multiply(r.p.matrices.mass, r.rigid), algebra::inner(comm, r.rigid, b));
     return b;
   }
 };
@@ -63,9 +63,9 @@ TEST_P(Derivatives, LoadsAreTheTangentsDifferences) {
     for (std::size_t p = 0; p < pairs.size(); ++p) {
       if (pairs[p].i != j && pairs[p].j != j) continue;
       const Tall other = expected.col(pairs[p].i == j ? pairs[p].j : pairs[p].i);
-      const double size = petsc::column_norms(comm, other)[0];
+      const double size = algebra::column_norms(comm, other)[0];
       EXPECT_GT(size, 0);
-      EXPECT_LE(petsc::column_norms(comm, b.col(static_cast<Index>(p)) - other)[0], 1e-10 * size)
+      EXPECT_LE(algebra::column_norms(comm, b.col(static_cast<Index>(p)) - other)[0], 1e-10 * size)
           << pairs[p].i << " " << pairs[p].j;
     }
   }
@@ -79,8 +79,8 @@ TEST_P(Derivatives, LoadsOfSomeRowsAreThoseOfAll) {
 TEST_P(Derivatives, SolveTheirEquation) {
   const auto all = all_derivatives(r);
   const Tall b = projected(loads(0, modes));
-  const Tall rest = petsc::multiply(r.p.matrices.stiffness, all.columns) - b;
-  const Eigen::VectorXd errors = petsc::column_norms(comm, rest).cwiseQuotient(petsc::column_norms(comm, b));
+  const Tall rest = algebra::multiply(r.p.matrices.stiffness, all.columns) - b;
+  const Eigen::VectorXd errors = algebra::column_norms(comm, rest).cwiseQuotient(algebra::column_norms(comm, b));
   EXPECT_LE(errors.maxCoeff(), 2e-11);
   if (GetParam().free) {
     const Eigen::VectorXd sizes = r.norms(all.columns);

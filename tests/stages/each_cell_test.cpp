@@ -19,8 +19,8 @@ double value(mesh::Index global, int number, Eigen::Index column) {
   return static_cast<double>(100 * global + 10 * number) + static_cast<double>(column);
 }
 
-petsc::Tall numbered(const mesh::Mesh& mesh, int numbers, Eigen::Index columns) {
-  petsc::Tall u(static_cast<Eigen::Index>(numbers) * mesh.owned, columns);
+algebra::Tall numbered(const mesh::Mesh& mesh, int numbers, Eigen::Index columns) {
+  algebra::Tall u(static_cast<Eigen::Index>(numbers) * mesh.owned, columns);
   for (int v = 0; v < mesh.owned; ++v)
     for (int i = 0; i < numbers; ++i)
       for (Eigen::Index j = 0; j < columns; ++j)
@@ -74,7 +74,7 @@ TEST(EachCell, AllocatesNothing) {
   if (!test::counts_allocations()) GTEST_SKIP() << "nothing is counted under this sanitizer";
   for (const char* kind : {"tet4", "tet10", "hex8"}) {
     const auto mesh = test::box(std::string("box:3,1,1/6,2,2/") + kind);
-    const mesh::LocalRows local = petsc::Tall::Random(3 * mesh.local_vertices(), 1);
+    const mesh::LocalRows local = algebra::Tall::Random(3 * mesh.local_vertices(), 1);
     double energy = 0;
     const auto before = allocations();
     each_cell(mesh, materials, [&]<class E>(const Cell<E>& cell) {

@@ -4,16 +4,16 @@
 #include <cmath>
 #include <numbers>
 
+#include "ritz/algebra/check.hpp"
+#include "ritz/algebra/solve_mass.hpp"
 #include "ritz/base/error.hpp"
-#include "ritz/petsc/check.hpp"
-#include "ritz/petsc/solve_mass.hpp"
 #include "ritz/stages/full_loads.hpp"
 #include "support/full_runs.hpp"
 
 namespace ritz::test {
 namespace {
 
-using petsc::Tall;
+using algebra::Tall;
 using stages::DynamicOptions, stages::FullIntegrator;
 
 FullRun beam(const std::string& cells = "hex8", const fem::Materials& materials = {soft}) {
@@ -101,10 +101,10 @@ struct Blow {
   stages::DynamicState start = run.rest();
 
   explicit Blow(int most_iterations) {
-    const Tall shape = petsc::solve_mass(run.p.matrices.mass, end_force(run, {-4, 3, 5}));
-    start.v = 6 / petsc::column_norms(run.p.mesh.comm, shape)[0] * shape;
-    petsc::check(SNESSetTolerances(run.model.newton.snes(), PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT,
-                                   most_iterations, PETSC_DEFAULT));
+    const Tall shape = algebra::solve_mass(run.p.matrices.mass, end_force(run, {-4, 3, 5}));
+    start.v = 6 / algebra::column_norms(run.p.mesh.comm, shape)[0] * shape;
+    algebra::check(SNESSetTolerances(run.model.newton.snes(), PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT,
+                                     most_iterations, PETSC_DEFAULT));
   }
 };
 

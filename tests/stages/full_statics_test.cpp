@@ -73,7 +73,7 @@ TEST(FullStatics, ARigidRotationHasNoForce) {
   FullRun run{problem(box("box:1,.5,.4/3,2,2/tet10"), {}, {rubber})};
   for (const double angle : {1e-3, .7, 3.0}) {
     const Eigen::Matrix3d R = Eigen::AngleAxisd(angle, Eigen::Vector3d(1, 2, -2) / 3).toRotationMatrix();
-    petsc::Tall u(3 * run.p.mesh.owned, 1);
+    algebra::Tall u(3 * run.p.mesh.owned, 1);
     for (int v = 0; v < run.p.mesh.owned; ++v)
       u.col(0).segment<3>(3 * v) = R * run.p.mesh.points.col(v) - run.p.mesh.points.col(v);
     const auto [energy, force] = stages::energy_and_force(run.model, run.free(u));
@@ -112,7 +112,7 @@ TEST(FullStatics, AnEndMomentClosesTheCircle) {
     if (v < run.p.mesh.owned) arms += std::pow(run.p.mesh.points(2, v) - h / 2, 2);
   arms = parallel::sum(run.p.mesh.comm, arms);
   const auto moment = [&](double t) {
-    petsc::Tall force = petsc::Tall::Zero(3 * run.p.mesh.owned, 1);
+    algebra::Tall force = algebra::Tall::Zero(3 * run.p.mesh.owned, 1);
     for (const int v : end.vertices)
       if (v < run.p.mesh.owned)
         force.col(0).segment<3>(3 * v) =

@@ -54,7 +54,7 @@ TEST_P(Patch, InnerVerticesFeelNoForce) {
   const double E = body.materials[0].at_rest().young();
   Eigen::Matrix3d gradient;
   gradient << .3, -.2, .1, .15, -.25, .05, -.1, .2, .4;
-  petsc::Tall u(3 * mesh.owned, 1);
+  algebra::Tall u(3 * mesh.owned, 1);
   for (int v = 0; v < mesh.owned; ++v) u.col(0).segment<3>(3 * v) = gradient * mesh.points.col(v);
   const auto result = stages::internal_forces(body, u);
   for (const int v : inner()) EXPECT_LE(result.forces.col(0).segment<3>(3 * v).norm(), 1e-13 * E) << v;

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "ritz/petsc/check.hpp"
+#include "ritz/algebra/check.hpp"
 #include "support/problem.hpp"
 
 namespace ritz::test {
@@ -58,7 +58,7 @@ TEST_F(Known, Beam3) {
 TEST_F(Known, Beam3Trace) {
   const Problem p = vega("beam3_tet.veg", "");
   PetscScalar trace = 0;
-  petsc::check(MatGetTrace(p.matrices.stiffness, &trace));
+  algebra::check(MatGetTrace(p.matrices.stiffness, &trace));
   EXPECT_NEAR(trace / 896551724.137936, 1, 1e-14);
 }
 

@@ -11,8 +11,8 @@
 namespace ritz::test {
 namespace {
 
+using algebra::Tall;
 using Eigen::Index;
-using petsc::Tall;
 
 class Pod : public testing::TestWithParam<const char*> {
  protected:
@@ -48,7 +48,7 @@ TEST_P(Pod, FindsTheRankOfSyntheticSnapshots) {
   const Tall U = pod(x, 0).U;
   EXPECT_EQ(U.cols(), 12);
   Tall rest = x;
-  petsc::subtract(rest, U, r.gram(U, x));
+  algebra::subtract(rest, U, r.gram(U, x));
   EXPECT_LE(r.norms(rest).maxCoeff(), 1e-12 * r.norms(x).maxCoeff());
 }
 
@@ -63,7 +63,7 @@ TEST_P(Pod, IsTheDenseDecompositionInAnyOrderOnAnyRanks) {
     EXPECT_LE(largest_sine(M, span, whole(r.p.mesh.comm, found.U)), 1e-11);
     EXPECT_NEAR(found.reduction.discarded, error, 1e-12 * first);
     Tall rest = order;
-    petsc::subtract(rest, found.U, r.gram(found.U, order));
+    algebra::subtract(rest, found.U, r.gram(found.U, order));
     EXPECT_NEAR(r.norms(rest).squaredNorm(), error * error, 1e-12 * first * first);
   }
 }

@@ -15,8 +15,8 @@
 namespace ritz::test {
 namespace {
 
+using algebra::Tall;
 using Eigen::Index;
-using petsc::Tall;
 
 struct Case {
   const char* mesh;
@@ -47,9 +47,9 @@ TEST_P(Polynomial, IsTheFullModelOverNineDecades) {
     const Eigen::VectorXd z = sample(decade);
     const Tall displaced = u * z;
     const auto full = stages::internal_forces(r.p, displaced);
-    const Eigen::VectorXd force = petsc::inner(comm, u, full.forces);
+    const Eigen::VectorXd force = algebra::inner(comm, u, full.forces);
     stages::fill_tangent(tangent, r.p, Eigen::VectorXd::Ones(1), displaced);
-    const Eigen::MatrixXd K = petsc::inner(comm, U, petsc::multiply(tangent.matrix, U));
+    const Eigen::MatrixXd K = algebra::inner(comm, U, algebra::multiply(tangent.matrix, U));
     runtime::evaluate<double>(forces, z, at);
     EXPECT_NEAR(at.energy / full.energies[0], 1, 1e-11) << decade;
     EXPECT_LE((at.force - force).norm(), 1e-11 * force.norm()) << decade;

@@ -8,8 +8,8 @@
 namespace ritz::test {
 namespace {
 
+using algebra::Tall;
 using Eigen::Index;
-using petsc::Tall;
 using stages::Cut;
 using stages::Principal;
 
@@ -46,8 +46,8 @@ class Principals : public testing::TestWithParam<const char*> {
   /// Σ ‖(I − Q QᵀM) x‖²_M
   double projection_error(const Tall& x, const Tall& Q) const {
     Tall rest = x;
-    petsc::subtract(rest, Q, petsc::inner(p.mesh.comm, petsc::multiply(p.matrices.mass, Q), x));
-    return petsc::inner(p.mesh.comm, rest, petsc::multiply(p.matrices.mass, rest)).trace();
+    algebra::subtract(rest, Q, algebra::inner(p.mesh.comm, algebra::multiply(p.matrices.mass, Q), x));
+    return algebra::inner(p.mesh.comm, rest, algebra::multiply(p.matrices.mass, rest)).trace();
   }
 };
 

@@ -55,11 +55,12 @@ TEST_P(Strategies, KrylovSchurLeavesAnInverseToTheDerivatives) {
   slepc.slepc = true;
   slepc.inverse = stages::InverseUse::kept;
   const auto found = modes(p, slepc);
-  const petsc::Tall psi = found.vectors.rightCols(1), rigid = found.vectors.leftCols(rigid_count(found.modes));
-  const petsc::Tall b = petsc::multiply(p.matrices.mass, psi);
+  const algebra::Tall psi = found.vectors.rightCols(1), rigid = found.vectors.leftCols(rigid_count(found.modes));
+  const algebra::Tall b = algebra::multiply(p.matrices.mass, psi);
   const auto x = stages::solve(p.matrices, found.inverse, rigid, stages::one_norm(p.matrices.stiffness), b).x;
-  const petsc::Tall expected = psi / found.modes.eigenvalues.tail(1)[0];  // Kψ = λMψ
-  EXPECT_LE(petsc::column_norms(p.mesh.comm, x - expected)[0], 1e-7 * petsc::column_norms(p.mesh.comm, expected)[0]);
+  const algebra::Tall expected = psi / found.modes.eigenvalues.tail(1)[0];  // Kψ = λMψ
+  EXPECT_LE(algebra::column_norms(p.mesh.comm, x - expected)[0],
+            1e-7 * algebra::column_norms(p.mesh.comm, expected)[0]);
 }
 
 TEST_P(Strategies, MultigridAgrees) {
@@ -73,7 +74,7 @@ TEST_P(Strategies, EarlierModesSpareWorkAndChangeNothing) {
   const auto first = modes(p, 12);
   ModesOptions options;
   options.count = 12;
-  const petsc::Tall earlier = first.vectors.rightCols(flexible(first.modes).size());
+  const algebra::Tall earlier = first.vectors.rightCols(flexible(first.modes).size());
   const auto again = stages::linear_modes(p, options, earlier, [](const std::string&, double) {});
   expect_sound(p, options, again);
   expect_same(p, first, again, 1e-10);
@@ -82,7 +83,7 @@ TEST_P(Strategies, EarlierModesSpareWorkAndChangeNothing) {
 
 TEST(Residuals, AboveTheirGateSayWhatKeptThemThere) {
   const Problem p = problem(box("box:1,.1,.06/8,2,1/tet4"), {fixed("xmin")});
-  const petsc::Tall none(p.dofs.owned, 0);
+  const algebra::Tall none(p.dofs.owned, 0);
   ModesOptions loose;
   loose.count = 12;
   loose.tolerance = 1e-2;

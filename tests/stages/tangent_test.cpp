@@ -8,11 +8,11 @@
 namespace ritz::test {
 namespace {
 
-using petsc::Tall;
+using algebra::Tall;
 
 struct Filled {
   Problem p;
-  stages::FullModel model = stages::full_model(p, petsc::LinearSolver::direct);
+  stages::FullModel model = stages::full_model(p, algebra::LinearSolver::direct);
 
   /// K(u), u over free degrees of freedom.
   Eigen::MatrixXd at(const Tall& u) {

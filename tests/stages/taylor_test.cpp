@@ -11,7 +11,7 @@
 namespace ritz::test {
 namespace {
 
-using petsc::Tall;
+using algebra::Tall;
 
 struct Expansion {
   const char* mesh;

@@ -8,25 +8,25 @@ namespace ritz::test {
 
 struct FullRun {
   Problem p;
-  petsc::LinearSolver solver = petsc::LinearSolver::direct;
+  algebra::LinearSolver solver = algebra::LinearSolver::direct;
   stages::FullModel model = stages::full_model(p, solver);
 
-  petsc::Tall zeros() const { return petsc::Tall::Zero(p.dofs.owned, 1); }
-  petsc::Tall free(const petsc::Tall& force) const { return mesh::from_vertices(p.mesh, p.dofs, force); }
+  algebra::Tall zeros() const { return algebra::Tall::Zero(p.dofs.owned, 1); }
+  algebra::Tall free(const algebra::Tall& force) const { return mesh::from_vertices(p.mesh, p.dofs, force); }
 
   /// The displacements at load fraction 1 of the proportional load F.
-  petsc::Tall statics(const petsc::Tall& F, int steps) {
-    petsc::Tall u;
+  algebra::Tall statics(const algebra::Tall& F, int steps) {
+    algebra::Tall u;
     stages::full_statics(
-        model, {.steps = steps}, {0, zeros(), 0}, [&](double t) -> petsc::Tall { return t * F; },
+        model, {.steps = steps}, {0, zeros(), 0}, [&](double t) -> algebra::Tall { return t * F; },
         [&](const stages::StaticState& state, const stages::StaticReport&) { u = state.u; });
     return u;
   }
 
   /// The mean displacement over a set.
-  Eigen::Vector3d mean(const petsc::Tall& u, const std::string& set) const {
+  Eigen::Vector3d mean(const algebra::Tall& u, const std::string& set) const {
     const mesh::Set& found = *p.mesh.find(set);
-    const petsc::Tall all = mesh::to_vertices(p.mesh, p.dofs, u);
+    const algebra::Tall all = mesh::to_vertices(p.mesh, p.dofs, u);
     Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(3, 1);
     for (const int v : found.vertices)
       if (v < p.mesh.owned) sum += all.col(0).segment<3>(3 * v);

@@ -6,10 +6,10 @@
 #include <limits>
 #include <numbers>
 
+#include "ritz/algebra/factorization.hpp"
 #include "ritz/mesh/distribute.hpp"
 #include "ritz/mesh/quality.hpp"
 #include "ritz/parallel/comm.hpp"
-#include "ritz/petsc/factorization.hpp"
 
 namespace ritz::test {
 namespace {
@@ -18,28 +18,28 @@ using Eigen::Index;
 
 /// Eigenvalues below σ by a factorization of its own. *Collective*.
 std::int64_t count_below(const Problem& p, double sigma) {
-  petsc::Factorization solver(p.mesh.comm, "count_");
+  algebra::Factorization solver(p.mesh.comm, "count_");
   solver.factor(p.matrices.stiffness, p.matrices.mass, sigma);
   return solver.negative_pivots();
 }
 
 void expect_small_residuals(const Problem& p, const stages::ModesResult& result) {
   const MPI_Comm comm = p.mesh.comm;
-  const petsc::Tall mx = petsc::multiply(p.matrices.mass, result.vectors),
-                    kx = petsc::multiply(p.matrices.stiffness, result.vectors);
+  const algebra::Tall mx = algebra::multiply(p.matrices.mass, result.vectors),
+                      kx = algebra::multiply(p.matrices.stiffness, result.vectors);
   const Eigen::VectorXd& lambda = result.modes.eigenvalues;
-  const Eigen::VectorXd r = petsc::column_norms(comm, kx - mx * lambda.asDiagonal());
-  const Eigen::VectorXd force = lambda.cwiseProduct(petsc::column_norms(comm, mx));
+  const Eigen::VectorXd r = algebra::column_norms(comm, kx - mx * lambda.asDiagonal());
+  const Eigen::VectorXd force = lambda.cwiseProduct(algebra::column_norms(comm, mx));
   PetscReal norm_K = 0;
   MatNorm(p.matrices.stiffness, NORM_INFINITY, &norm_K);
   const Eigen::VectorXd floor =
-      10 * std::numeric_limits<double>::epsilon() * norm_K * petsc::column_norms(comm, result.vectors);
+      10 * std::numeric_limits<double>::epsilon() * norm_K * algebra::column_norms(comm, result.vectors);
   for (Index i = 0; i < lambda.size(); ++i) {
     EXPECT_LE(r[i], std::max(1e-8 * force[i], floor[i])) << "mode " << i;
     if (rigid_count(result.modes) > i) continue;
     EXPECT_EQ(result.modes.floor_applies[static_cast<std::size_t>(i)] != 0, result.modes.residuals[i] > 1e-8);
   }
-  const Eigen::MatrixXd gram = petsc::inner(comm, result.vectors, mx);
+  const Eigen::MatrixXd gram = algebra::inner(comm, result.vectors, mx);
   EXPECT_LE((gram - Eigen::MatrixXd::Identity(lambda.size(), lambda.size())).lpNorm<Eigen::Infinity>(), 1e-12);
 }
 
@@ -76,7 +76,7 @@ Problem problem(mesh::Mesh mesh, const std::vector<mesh::Fixed>& supports, const
 }
 
 stages::ModesResult modes(const Problem& p, stages::ModesOptions options) {
-  const petsc::Tall none(p.dofs.owned, 0);
+  const algebra::Tall none(p.dofs.owned, 0);
   auto result = stages::linear_modes(p, options, none, [](const std::string&, double) {});
   expect_sound(p, options, result);
   return result;
@@ -120,8 +120,8 @@ Eigen::VectorXd flexible(const model::Modes& modes) {
 
 Eigen::VectorXd frequencies(const model::Modes& modes) { return flexible(modes).cwiseSqrt() / (2 * std::numbers::pi); }
 
-Eigen::MatrixXd whole(MPI_Comm comm, const petsc::Tall& rows) {
-  const petsc::Tall transposed = rows.transpose();
+Eigen::MatrixXd whole(MPI_Comm comm, const algebra::Tall& rows) {
+  const algebra::Tall transposed = rows.transpose();
   const auto all =
       parallel::gather_all(comm, std::vector<double>(transposed.data(), transposed.data() + transposed.size()));
   const auto columns = rows.cols();
@@ -133,9 +133,9 @@ Eigen::MatrixXd dense(Mat A) {
   PetscInt first = 0, end = 0, total = 0;
   MatGetOwnershipRange(A, &first, &end);
   MatGetSize(A, &total, nullptr);
-  petsc::Tall unit = petsc::Tall::Zero(end - first, total);
+  algebra::Tall unit = algebra::Tall::Zero(end - first, total);
   for (PetscInt i = first; i < end; ++i) unit(i - first, i) = 1;
-  return whole(comm, petsc::multiply(A, unit));
+  return whole(comm, algebra::multiply(A, unit));
 }
 
 }  // namespace ritz::test

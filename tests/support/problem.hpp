@@ -46,6 +46,6 @@ Eigen::VectorXd frequencies(const model::Modes& modes);  ///< of the flexible mo
 /// The whole matrix, on every rank. *Collective*.
 Eigen::MatrixXd dense(Mat A);
 /// The whole columns, on every rank. *Collective*.
-Eigen::MatrixXd whole(MPI_Comm comm, const petsc::Tall& rows);
+Eigen::MatrixXd whole(MPI_Comm comm, const algebra::Tall& rows);
 
 }  // namespace ritz::test

@@ -8,15 +8,15 @@ namespace ritz::test {
 struct Reduced {
   Problem p;
   stages::ModesResult modes;
-  petsc::Tall rigid, flexible;
+  algebra::Tall rigid, flexible;
 
   stages::DerivativesSource source() const { return {p, modes, flexible, static_cast<int>(flexible.cols())}; }
   Eigen::VectorXd lambda() const { return test::flexible(modes.modes); }
   /// XᵀMY, the same on all ranks. *Collective*.
-  Eigen::MatrixXd gram(const petsc::Tall& x, const petsc::Tall& y) const {
-    return petsc::inner(p.mesh.comm, x, petsc::multiply(p.matrices.mass, y));
+  Eigen::MatrixXd gram(const algebra::Tall& x, const algebra::Tall& y) const {
+    return algebra::inner(p.mesh.comm, x, algebra::multiply(p.matrices.mass, y));
   }
-  Eigen::VectorXd norms(const petsc::Tall& x) const { return gram(x, x).diagonal().cwiseMax(0).cwiseSqrt(); }
+  Eigen::VectorXd norms(const algebra::Tall& x) const { return gram(x, x).diagonal().cwiseMax(0).cwiseSqrt(); }
 };
 
 /// *Collective*.
@@ -27,7 +27,7 @@ inline Reduced reduced(Problem p, int count, stages::Strategy strategy = stages:
   options.inverse = stages::InverseUse::kept;
   auto found = test::modes(p, options);
   const int rigid = rigid_count(found.modes);
-  petsc::Tall R = found.vectors.leftCols(rigid), psi = found.vectors.rightCols(found.vectors.cols() - rigid);
+  algebra::Tall R = found.vectors.leftCols(rigid), psi = found.vectors.rightCols(found.vectors.cols() - rigid);
   return {std::move(p), std::move(found), std::move(R), std::move(psi)};
 }
 
@@ -53,8 +53,8 @@ inline stages::DerivativeBlock all_derivatives(const Reduced& r) {
 
 /// The basis of `options`, without snapshots unless given. *Collective*.
 inline stages::BasisResult basis_of(const Reduced& r, const stages::BasisOptions& options,
-                                    const petsc::Tall& snapshots = {}) {
-  return stages::basis(r.p, r.modes, snapshots.cols() ? snapshots : petsc::Tall(r.p.dofs.owned, 0), options,
+                                    const algebra::Tall& snapshots = {}) {
+  return stages::basis(r.p, r.modes, snapshots.cols() ? snapshots : algebra::Tall(r.p.dofs.owned, 0), options,
                        [](const std::string&, double) {});
 }
 

@@ -6,12 +6,12 @@ namespace ritz::test {
 
 /// The consistent forces of a uniform traction on a set's faces with the given total (N), rows of free degrees of
 /// freedom. *Collective*.
-petsc::Tall end_traction(const Problem& p, const std::string& set, const Eigen::Vector3d& total);
+algebra::Tall end_traction(const Problem& p, const std::string& set, const Eigen::Vector3d& total);
 
 /// u = K⁻¹ f. *Collective*.
-petsc::Tall solve(const Problem& p, const petsc::Tall& force);
+algebra::Tall solve(const Problem& p, const algebra::Tall& force);
 
 /// fᵀu: for a unit total traction the mean displacement of the loaded faces along it. *Collective*.
-double work(const Problem& p, const petsc::Tall& force, const petsc::Tall& u);
+double work(const Problem& p, const algebra::Tall& force, const algebra::Tall& u);
 
 }  // namespace ritz::test

@@ -22,7 +22,7 @@ struct Sample : Cube {
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
     const auto path = as_file({}, "full.h5");
     app::FullFile file(path, mesh, {{fem::StVK{1e6, 0.3}, 1000}}, {{0, 1}, {0, 1}, "s"});
-    const petsc::Tall u = Eigen::VectorXd::LinSpaced(mesh::components * mesh.owned, 0, 1);
+    const algebra::Tall u = Eigen::VectorXd::LinSpaced(mesh::components * mesh.owned, 0, 1);
     file.frame(u);
     file.frame(2 * u);
     app::LastState last{app::StateKind::moving, "avf", {}, u, u, u};

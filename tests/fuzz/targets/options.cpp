@@ -40,7 +40,7 @@ void check_reports() {
 }  // namespace
 
 void read_input(Bytes input) {
-  static const petsc::Session session = start();
+  static const algebra::Session session = start();
   const std::string text(input.begin(), input.end());
   if (text.find('\0') != text.npos) return;  // is refused where files are opened
   const EmptyDatabase around;
