@@ -43,8 +43,8 @@ class Newton {
   /// and multigrid_ (GAMG).
   Newton(Mat jacobian, LinearSolver solver, const ConstTallRef& near_null);
 
-  /// *Collective*. Iterates from x until ‖r‖ ≤ tolerance·scale or, if rounding errors exceed that, until ‖r‖ ≤
-  /// rounding(x). x is changed whether or not the iteration converges. Rethrows what the equations throw.
+  /// *Collective*. Iterates from x until ‖r‖ ≤ tolerance·scale or, if rounding errors exceed that, until
+  /// ‖r‖ ≤ rounding(x). x is changed whether or not the iteration converges. Rethrows what the equations throw.
   NewtonOutcome solve(const Equations& equations, double tolerance, double scale, Tall& x);
 
   /// *Collective*. The number of negative eigenvalues of the last Jacobian that was factored; 0 without a
@@ -52,8 +52,8 @@ class Newton {
   std::int64_t negative_pivots() const;
 
   /// *Collective*. Solves J x = b with the present values of the Jacobian; on failure x is not finite. J counts as
-  /// indefinite by the inertia of its factorization, or when CG meets a direction of negative curvature, or when xᵀJx =
-  /// xᵀb < 0.
+  /// indefinite by the inertia of its factorization, or when CG meets a direction of negative curvature, or when
+  /// xᵀJx = xᵀb < 0.
   LinearAnswer solve_linear(const Tall& b);
 
   SNES snes() const { return snes_; }

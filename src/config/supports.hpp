@@ -11,8 +11,7 @@ namespace ritz::config {
 
 struct Supports {
   std::vector<mesh::Fixed> fixed;
-  std::vector<std::filesystem::path>
-      vertex_lists;  ///< .bou files; `fixed` contains each as a set with its path as name
+  std::vector<std::filesystem::path> vertex_lists;  ///< .bou files, each in `fixed` as a set with its path as name
 };
 
 /// Parses "SET[:xyz],…", "FILE.bou", "box:x0,x1,y0,y1,z0,z1[:xyz]" or a list of these separated by commas; "none" fixes

@@ -27,8 +27,7 @@ class Halo {
   void fill_ghosts(MPI_Comm comm, LocalRows& local, int numbers) const;
 
  private:
-  std::vector<SharedVertices>
-      sent_;  ///< owned vertices that are ghosts of `rank`, in the order in which it expects them
+  std::vector<SharedVertices> sent_;      ///< owned vertices that are ghosts of `rank`, in the order expected there
   std::vector<SharedVertices> received_;  ///< ghosts that `rank` owns
   mutable std::vector<double> out_, in_;  ///< send and receive buffers, kept between exchanges
   mutable std::vector<MPI_Request> requests_;

@@ -9,8 +9,8 @@
 
 namespace ritz::stages {
 
-/// K (N/m) and M (kg) over the free degrees of freedom, and the scalar consistent mass M_s (kg) over all vertices: M =
-/// M_s ⊗ I₃ without the fixed rows and columns.
+/// K (N/m) and M (kg) over the free degrees of freedom, and the scalar consistent mass M_s (kg) over all vertices:
+/// M = M_s ⊗ I₃ without the fixed rows and columns.
 struct Matrices {
   algebra::Matrix stiffness;
   algebra::Matrix mass;

@@ -12,8 +12,7 @@ namespace ritz::stages {
 /// Where the block of each entry of the vertex graph is stored in the rows of free degrees of freedom.
 struct BlockPattern {
   VertexGraph graph;
-  std::vector<PetscInt>
-      offsets;  ///< of each graph entry: how many columns stand before it in its part (own, other) of the row
+  std::vector<PetscInt> offsets;  ///< of each graph entry: the number of columns before it in its part of the row
 };
 
 struct BlockRows {

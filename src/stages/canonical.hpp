@@ -6,8 +6,7 @@
 
 namespace ritz::stages {
 
-inline constexpr double cluster_gap =
-    1e-6;  ///< relative; eigenvalues closer than this form one cluster, which is never split
+inline constexpr double cluster_gap = 1e-6;  ///< relative; closer eigenvalues form one cluster, which is never split
 
 /// *Collective*. Rotates the M-orthonormal columns Ψ so that WᵀMΨ has a positive diagonal and, on each group of
 /// eigenvalues that agree to 1e-9, is symmetric positive definite (such eigenvalues are so close that any basis of the

@@ -33,11 +33,11 @@ struct DerivativesSource {
 /// as many columns, and passes each block to `take`. For free bodies the loads are projected, and Φ is M-orthogonal to
 /// the rigid modes.
 ///
-/// Pairs are skipped as long as Σ (weight(pair) ‖Φ‖_M)² over all skipped pairs is certainly below `allowed()`². The
-/// bound on ‖Φ‖_M is as follows. The n modes found split the load b: their part is solved exactly, and for the rest c =
-/// b − MΨΨᵀb no eigenvalue is below λ_n if the modes are certified (else λ₁ is used), so that ‖Φ‖²_M ≤ Σ (ψᵢᵀb/λᵢ)² +
-/// (‖c‖_{M⁻¹}/λ_n)². Moreover ‖c‖²_{M⁻¹} ≤ cᵀD⁻¹c / m, where D is the diagonal of M and m the smallest eigenvalue of
-/// any cell's D_e⁻¹M_e [Wathen 1987].
+/// Pairs are skipped as long as Σ (weight(pair) ‖Φ‖_M)² over all skipped pairs is certainly below `allowed()`². ‖Φ‖_M
+/// is bounded as follows. The n modes found split the load b: their part is solved exactly, and for the rest
+/// c = b − MΨΨᵀb no eigenvalue is below λ_n if the modes are certified (else λ₁ is used), so that
+///   ‖Φ‖²_M ≤ Σ (ψᵢᵀb/λᵢ)² + (‖c‖_{M⁻¹}/λ_n)²,  ‖c‖²_{M⁻¹} ≤ cᵀD⁻¹c / m,
+/// where D is the diagonal of M and m the smallest eigenvalue of any cell's D_e⁻¹M_e [Wathen 1987].
 /// Throws NumericalError when a solve does not converge.
 DerivativeCounts derivatives(const DerivativesSource& source, int columns, const std::function<double(Pair)>& weight,
                              const std::function<double()>& allowed,

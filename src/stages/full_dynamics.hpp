@@ -13,11 +13,10 @@ enum class FullIntegrator { avf, newmark, implicit_euler };
 
 struct DynamicOptions {
   FullIntegrator integrator = FullIntegrator::avf;
-  double alpha = 0;  ///< 1/s
-  double beta = 0;   ///< s
-  double dt = 0;     ///< step length, s
-  double tolerance =
-      1e-10;  ///< of the residual, relative to the sum of the norms of the forces at the beginning of the step
+  double alpha = 0;          ///< 1/s
+  double beta = 0;           ///< s
+  double dt = 0;             ///< step length, s
+  double tolerance = 1e-10;  ///< ‖residual‖ over the sum of the norms of the forces when the step begins
 };
 
 /// Energies at the present time, J. W is the work of the loads, Q the energy that damping dissipated: E − E₀ = W − Q,

@@ -10,9 +10,10 @@ namespace ritz::stages {
 /// The discretization error of one mode, from the strains that the cells cannot represent.
 ///
 /// By Zienkiewicz and Zhu: the strains of the Tet4 and Hex8 cells around a vertex, averaged with their volumes as
-/// weights, give a continuous field ε*, interpolated in each cell by its shape functions, and η² = ∫ (ε* − ε) : C : (ε*
-/// − ε) / ∫ ε : C : ε. The mesh is taken to add η² λ to λ. Only cells of similar stiffness (Young's moduli within one
-/// octave) are averaged, because strains jump where the stiffness does.
+/// weights, give a continuous field ε*, interpolated in each cell by its shape functions. With
+///   η² = ∫ (ε* − ε) : C : (ε* − ε) / ∫ ε : C : ε
+/// the mesh is taken to add η² λ to λ. Only cells of similar stiffness (Young's moduli within one octave) are averaged,
+/// because strains jump where the stiffness does.
 ///
 /// Compared with Tet10 on the same or finer cells, over some 350 modes of bars, beams, plates, blocks and cubes of one
 /// to eight layers: errors of 2 to 60 % of a frequency were estimated at 0.4 to 1.3 (mostly 0.8 to 1.1) times their

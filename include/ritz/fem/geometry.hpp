@@ -1,4 +1,4 @@
-// Sizes and shape measures of cells, which show bad ones. `x` are the vertices at rest, 3 x vertices, m.
+// Sizes and shape measures of cells, by which bad cells are found. `x` are the vertices at rest, 3 x vertices, m.
 #pragma once
 #include "ritz/fem/cell.hpp"
 #include "ritz/fem/types.hpp"

@@ -5,7 +5,8 @@
 
 namespace ritz::fem {
 
-/// The element. Reference cube [-1, 1]³: bottom face 0123, counter-clockwise seen from above, then the top face 4567.
+/// The trilinear hexahedron. Its reference cube is [-1, 1]³, with the bottom face 0123, counter-clockwise seen from
+/// above, then the top face 4567.
 struct Hex8 {
   static constexpr CellType type = CellType::hex8;
   static constexpr int vertices = 8;

@@ -7,7 +7,8 @@ namespace ritz::fem {
 template <class E>
 using MassMatrix = Matrix<E::vertices, E::vertices>;
 
-/// The mass by the element's mass rule, which is exact for every shape that the cell can have. As mass below.
+/// The matrix M_s of mass() below, always computed by the element's mass rule, which is exact for every shape that the
+/// cell can have.
 template <class E>
 MassMatrix<E> mass_by_quadrature(const Coordinates<E>& x, double density);
 

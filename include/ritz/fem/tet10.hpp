@@ -4,8 +4,8 @@
 
 namespace ritz::fem {
 
-/// The element. Reference tetrahedron as for Tet4; vertices 4 ... 9 are the midpoints of the edges 01, 12, 20, 03, 13,
-/// 23.
+/// The quadratic tetrahedron. Its reference tetrahedron is that of Tet4; vertices 4 ... 9 are the midpoints of the
+/// edges 01, 12, 20, 03, 13, 23.
 struct Tet10 {
   static constexpr CellType type = CellType::tet10;
   static constexpr int vertices = 10;

@@ -5,7 +5,8 @@
 
 namespace ritz::fem {
 
-/// The element. Reference tetrahedron: vertex 0 at the origin, vertices 1, 2, 3 at the unit vectors.
+/// The linear tetrahedron. Its reference tetrahedron has vertex 0 at the origin and vertices 1, 2, 3 at the unit
+/// vectors.
 struct Tet4 {
   static constexpr CellType type = CellType::tet4;
   static constexpr int vertices = 4;

@@ -4,7 +4,7 @@
 // are replicated (the same on all ranks; the rank with Access::writes_small writes them) unless their comment says that
 // each rank passes its own rows.
 // Every read_* verifies shapes, types and checksums, and throws an InputError that names the file and the HDF5 path,
-// also when the body, its geometry or its basis is missing.
+// also when the geometry or the basis of the body is missing.
 #pragma once
 #include <cstdint>
 #include <filesystem>

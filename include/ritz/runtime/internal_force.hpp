@@ -22,7 +22,7 @@ struct LinearForce {
 /// Allocates the result of evaluate, and sets its tangent, which is constant.
 template <class Scalar>
 Evaluation<Scalar> make_evaluation(const LinearForce<Scalar>& force);
-/// As evaluate of an InternalForce.
+/// As evaluate of an InternalForce below.
 template <class Scalar>
 void evaluate(const LinearForce<Scalar>& force, const VectorRef<Scalar>& z, Evaluation<Scalar>& result);
 

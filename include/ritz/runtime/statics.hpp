@@ -31,7 +31,7 @@ StaticWorkspace<Scalar> make_static_workspace(const Model<Scalar>& model,
 
 /// Why no equilibrium was found.
 enum class NoRest : unsigned char {
-  free_body,      ///< no support prevents a rigid motion, and the load would start one
+  free_body,      ///< the supports leave rigid motions free; for a linear model, the load pushes one
   limit_point,    ///< K̃ loses positive definiteness within about twice the increment that failed
   not_converged,  ///< Newton's method does not converge, even with halved increments
   not_finite      ///< the load is not finite
@@ -51,7 +51,8 @@ struct StaticOutcome {
 /// A linear model is solved directly: z_i = f_i / λ_i. A rigid mode (λ_i = 0) gets z_i = 0, and it is an error
 /// (free_body) if its |f_i| exceeds 1e-8 of the largest.
 /// A nonlinear model is solved by Newton's method, until ‖f̃ − load‖ ≤ tolerance ‖load‖. An increment that does not
-/// converge to a stable state (K̃ positive definite) is halved. On failure z is the last state found.
+/// converge to a stable state (K̃ positive definite), or that passes an unstable one, is halved. A model that is not
+/// held (see StaticWorkspace) fails at once as a free_body. On failure z is the last state found.
 template <class Scalar>
 StaticOutcome solve_static(const Model<Scalar>& model, const LoadPath<Scalar>& path, Vector<Scalar>& z,
                            StaticWorkspace<Scalar>& workspace);
