@@ -1,8 +1,9 @@
-# ritz_add_test(NAME SOURCES a.cpp ... LINKS layers... [RANKS 1 2 3] [SHARED FILTER] [TIMEOUT s] [THOROUGH])
+# ritz_add_test(NAME SOURCES a.cpp ... LINKS layers... [RANKS 1 2 3] [SHARED FILTER] [LONG FILTER] [TIMEOUT s] [THOROUGH])
 # A GoogleTest executable test_NAME. With RANKS it is run under mpirun once for each number of ranks, with a main that
 # starts PETSc and fails on every rank when one rank fails; without, it is a serial program.
 # SHARED: a GoogleTest filter of what reads ../shared; it is a test of its own, NAME_shared, which is skipped where that is
 # absent. "*": all of it.
+# LONG: a filter of what takes long; it is a test of its own, NAME_long, with the label "thorough".
 # Tests with the label "thorough" are left out of a quick run: whatever takes long, and ranks other than 2. THOROUGH gives
 # it to all runs. The target `quick` builds what the other tests need.
 find_package(GTest REQUIRED)
@@ -55,7 +56,7 @@ set(RITZ_LEAKS_AT_EXIT LSAN_OPTIONS=${RITZ_LEAKS})
 set(RITZ_LEAKS_BEFORE LSAN_OPTIONS=${RITZ_LEAKS}:leak_check_at_exit=0)
 
 function(ritz_add_test name)
-  cmake_parse_arguments(T "THOROUGH" "TIMEOUT;SHARED" "SOURCES;LINKS;RANKS" ${ARGN})
+  cmake_parse_arguments(T "THOROUGH" "TIMEOUT;SHARED;LONG" "SOURCES;LINKS;RANKS" ${ARGN})
   if(NOT T_TIMEOUT)
     set(T_TIMEOUT 300)
   endif()
@@ -71,15 +72,21 @@ function(ritz_add_test name)
   else()
     target_link_libraries(${target} PRIVATE ritz_serial_main)
   endif()
+  set(apart "")
   if(T_SHARED AND NOT T_SHARED STREQUAL "*")
-    ritz_run_test(${name} ${target} "-${T_SHARED}" ${T_TIMEOUT} "${T_RANKS}")
     ritz_run_test(${name}_shared ${target} "${T_SHARED}" ${T_TIMEOUT} "${T_RANKS}")
-  else()
-    ritz_run_test(${name} ${target} "*" ${T_TIMEOUT} "${T_RANKS}")
+    list(APPEND apart "${T_SHARED}")
   endif()
+  if(T_LONG)
+    ritz_run_test(${name}_long ${target} "${T_LONG}" ${T_TIMEOUT} "${T_RANKS}")
+    set_tests_properties(${name}_long PROPERTIES LABELS thorough)
+    list(APPEND apart "${T_LONG}")
+  endif()
+  list(JOIN apart ":" apart)
+  ritz_run_test(${name} ${target} "*-${apart}" ${T_TIMEOUT} "${T_RANKS}")
   if(T_THOROUGH)
     get_property(runs DIRECTORY PROPERTY TESTS)
-    list(FILTER runs INCLUDE REGEX "^${name}(_shared)?(\\.|$)")
+    list(FILTER runs INCLUDE REGEX "^${name}(_shared|_long)?(\\.|$)")
     set_tests_properties(${runs} PROPERTIES LABELS thorough)
   else()
     add_dependencies(quick ${target})

@@ -12,8 +12,6 @@
 
 namespace ritz::mesh {
 
-inline constexpr int components = 3;  ///< displacement components of a vertex
-
 /// A support: a named set or a coordinate box, and the components that are fixed there.
 struct Fixed {
   std::variant<std::string, Region3> where;
@@ -44,18 +42,6 @@ struct Dofs {
 /// (naming the nearest one) or whose name is ambiguous, for a box without vertices, and when no degree of freedom is
 /// free.
 Dofs number(const Mesh& mesh, const std::vector<Fixed>& supports, FileSupports file_supports);
-
-/// The rows of vertex v in a matrix or vector with three rows for each vertex.
-template <class Vertexwise>
-auto at_vertex(Vertexwise&& rows, Eigen::Index v) {
-  return rows.template middleRows<components>(components * v);
-}
-
-/// The 3 x 3 block of the vertices a and b in the matrix of a cell.
-template <class Matrix>
-auto at_vertices(Matrix&& matrix, Eigen::Index a, Eigen::Index b) {
-  return matrix.template block<components, components>(components * a, components * b);
-}
 
 /// From rows of free degrees of freedom to rows of owned vertices, three for each vertex, with zeros at fixed
 /// components.

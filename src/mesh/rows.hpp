@@ -6,6 +6,8 @@
 
 namespace ritz::mesh {
 
+inline constexpr int components = 3;  ///< displacement components of a vertex
+
 struct Free {};      ///< the free degrees of freedom of this rank
 struct Vertices {};  ///< the vertices that this rank owns, 3 rows each, fixed components included
 struct Locals {};    ///< all vertices that this rank holds, 3 rows each: its own, then ghosts
@@ -42,5 +44,17 @@ using LocalRows = Rows<Locals>;
 using FreeRef = const RowsRef<Free>&;
 using VertexRef = const RowsRef<Vertices>&;
 using LocalRef = const RowsRef<Locals>&;
+
+/// The rows of vertex v in a matrix or vector with three rows for each vertex.
+template <class Vertexwise>
+auto at_vertex(Vertexwise&& rows, Eigen::Index v) {
+  return rows.template middleRows<components>(components * v);
+}
+
+/// The 3 x 3 block of the vertices a and b in the matrix of a cell.
+template <class Matrix>
+auto at_vertices(Matrix&& matrix, Eigen::Index a, Eigen::Index b) {
+  return matrix.template block<components, components>(components * a, components * b);
+}
 
 }  // namespace ritz::mesh

@@ -50,7 +50,7 @@ void chain(const UnknownDerivative<Scalar>& unknown, const Numbers& numbers, con
     end.middleRows(c * r, r) = numbers.change[c] * unknown.end;
     for (Index j = 0; j < width; ++j) state.block(c * r, j * r, r, r).diagonal().array() += numbers.history(c, j);
   }
-  if (frame) follow_frame(frame->template head<frame_coordinates>(), state, begin, end);
+  if (frame) follow_frame<Scalar>(frame->template head<frame_coordinates>(), state, begin, end);
   const auto [at, wide] = part;
   derivative.state = state * derivative.state;
   derivative.begin = state * derivative.begin + (1 - at) * begin + (1 - at - wide) * end;

@@ -17,12 +17,13 @@ Evaluation<Scalar> make_evaluation(const PolynomialForce<Scalar>& forces) {
           .sums = Vector<Scalar>::Zero(result_size(r)),
           .point = zeros<Scalar>(r + width),
           .room = zeros<Scalar>(room_at_point(r) * width),
-          .result = zeros<Scalar>(result_size(r) * width)};
+          .result = zeros<Scalar>(result_size(r) * width),
+          .carried = {}};
 }
 
 template <class Scalar>
 void evaluate(const PolynomialForce<Scalar>& forces, const VectorRef<Scalar>& z, Evaluation<Scalar>& evaluation) {
-  auto& [energy, force, tangent, sums, point, room, result] = evaluation;
+  auto& [energy, force, tangent, sums, point, room, result, carried] = evaluation;
   std::ranges::copy(z, point.begin());
   differentiate_at_point(forces.r, forces.cubic.data(), forces.quartic.data(), point.data(), room.data(),
                          result.data());

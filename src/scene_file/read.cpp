@@ -117,7 +117,7 @@ Load load(const Section& section, const std::vector<Body>& bodies) {
   const auto key = section.one_of({"total", "each", "pressure", "traction"});
   if (key.empty()) fail(section.entry(), "[[load]] needs one of 'total', 'each', 'pressure' and 'traction'");
   const Entry value = section.get(key);
-  Load load{.body = whose(section, bodies), .target = target(section), .kind = TotalForce{}, .table = std::nullopt};
+  Load load{.target = target(section), .kind = TotalForce{}, .table = std::nullopt, .body = whose(section, bodies)};
   if (std::holds_alternative<std::int64_t>(load.target) && (key == "pressure" || key == "traction"))
     fail(value, value.name + " acts on a surface set, not on a vertex");
   if (key == "total") load.kind = TotalForce{vector3(value)};
@@ -130,7 +130,7 @@ Load load(const Section& section, const std::vector<Body>& bodies) {
 
 Probe probe(const Section& section, const std::vector<Body>& bodies, const std::vector<Probe>& earlier) {
   const Entry name = section.get("name");
-  Probe probe{.name = text(name), .body = whose(section, bodies), .target = target(section)};
+  Probe probe{.name = text(name), .target = target(section), .body = whose(section, bodies)};
   check_name(name, probe.name, "heads a column");
   for (const auto& other : earlier)
     if (other.name == probe.name) fail(name, "two probes are named '" + printable(probe.name) + "'");

@@ -9,6 +9,7 @@
 #include "ritz/fem/strain.hpp"
 #include "ritz/fem/types.hpp"
 #include "ritz/mesh/mesh.hpp"
+#include "ritz/mesh/rows.hpp"
 
 namespace ritz::stages {
 

@@ -19,25 +19,6 @@ bool any_target(const scene::Scene& scene) {
   return std::ranges::any_of(scene.loads, is) || std::ranges::any_of(scene.probes, is);
 }
 
-model::Body read_body(const format::ModelReader& in, const std::string& name, const scene::Scene& scene, Frames frames,
-                      Forces forces) {
-  model::Body body;
-  body.name = name;
-  format::check_complete(in, body.name);
-  body.reduction = format::read_reduction(in, body.name);
-  body.modes = format::read_modes(in, body.name);
-  const bool lacks_motions = world::lacks_motions(body);
-  if (forces == Forces::stored) body.polynomial = format::read_polynomial(in, body.name);
-  if (frames == Frames::some || any_target<std::int64_t>(scene) || lacks_motions) {
-    body.geometry = format::read_geometry(in, body.name);
-    body.basis = format::read_basis(in, {}, body.name);
-  }
-  if (any_target<std::string>(scene)) body.loads = format::read_loads(in, body.name);
-  if (scene.gravity || scene.shake || lacks_motions) body.inertia = format::read_inertia(in, body.name);
-  format::check_witnesses(in, body);
-  return body;
-}
-
 }  // namespace
 
 std::vector<RunBody> cast(const scene::Scene& scene, const std::filesystem::path& model) {
@@ -58,6 +39,25 @@ std::vector<RunBody> cast(const scene::Scene& scene, const std::filesystem::path
     throw InputError("each [[body]] of the scene names its 'model', so that " + model.string() +
                      " is not used: leave one of them out");
   return bodies;
+}
+
+model::Body read_body(const format::ModelReader& in, const std::string& name, const scene::Scene& scene, Frames frames,
+                      Forces forces) {
+  model::Body body;
+  body.name = name;
+  format::check_complete(in, body.name);
+  body.reduction = format::read_reduction(in, body.name);
+  body.modes = format::read_modes(in, body.name);
+  const bool lacks_motions = world::lacks_motions(body);
+  if (forces == Forces::stored) body.polynomial = format::read_polynomial(in, body.name);
+  if (frames == Frames::some || any_target<std::int64_t>(scene) || lacks_motions) {
+    body.geometry = format::read_geometry(in, body.name);
+    body.basis = format::read_basis(in, {}, body.name);
+  }
+  if (any_target<std::string>(scene)) body.loads = format::read_loads(in, body.name);
+  if (scene.gravity || scene.shake || lacks_motions) body.inertia = format::read_inertia(in, body.name);
+  format::check_witnesses(in, body);
+  return body;
 }
 
 void read_bodies(std::vector<RunBody>& bodies, const scene::Scene& scene, Frames frames, Forces forces) {

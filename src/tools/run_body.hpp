@@ -26,10 +26,14 @@ struct RunBody {
 /// InputError for a body without a model file, and for a model on the command line that no body takes.
 std::vector<RunBody> cast(const scene::Scene& scene, const std::filesystem::path& model);
 
-/// Reads what the run uses of each body's model: its reduction or, where U is the modes, these; the polynomial if there
-/// is one and `forces` wants it; points, cells and U for frames or single vertices; loads for named sets; inertia for
-/// gravity and shaking; modes, geometry and inertia also where a reduction may leave out rigid motions.
+/// Reads what a run uses of a body in a model file: its reduction or, where U is the modes, these; the polynomial if
+/// there is one and `forces` wants it; points, cells and U for frames or single vertices; loads for named sets; inertia
+/// for gravity and shaking; modes, geometry and inertia also where a reduction may leave out rigid motions.
 /// Throws InputError when a part is missing or does not fit the others.
+model::Body read_body(const format::ModelReader& in, const std::string& name, const scene::Scene& scene, Frames frames,
+                      Forces forces);
+
+/// Reads the models of all bodies, each once. Throws as read_body, and for a body that its file does not have.
 void read_bodies(std::vector<RunBody>& bodies, const scene::Scene& scene, Frames frames, Forces forces);
 
 /// What it takes to draw mode `index` (from 0): geometry, modes, and U with that column alone.

@@ -38,8 +38,8 @@ void read_as_all_programs(const format::ModelReader& in) {
   std::ostringstream printed;
   const auto described = refusal([&] { tools::describe(in, printed); });
   const auto checked = refusal([&] { tools::check(in, printed); });
-  const auto run =
-      refusal([&] { tools::read_body(in, demanding_scene(), tools::Frames::some, tools::Forces::stored); });
+  const auto run = refusal(
+      [&] { tools::read_body(in, in.first_body(), demanding_scene(), tools::Frames::some, tools::Forces::stored); });
   refusal([&] { tools::read_mode(in, 0); });  // a sound model may have no modes to draw
   if (checked.empty() && !run.empty()) finding("ritz-inspect --check takes what ritz-run refuses: " + run);
   for (const auto& said : {described, checked, run})

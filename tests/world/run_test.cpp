@@ -88,7 +88,7 @@ scene::Scene of_several(decltype(scene::Scene::analysis) analysis, const std::ve
   for (const double newton : newtons) {
     const std::string name(1, static_cast<char>('a' + scene.bodies.size()));
     scene.bodies.push_back({.name = name, .model = {}, .model_body = {}});
-    scene.loads.push_back({.body = name, .target = "tip", .kind = scene::TotalForce{{0, 0, newton}}, .table = {}});
+    scene.loads.push_back({.target = "tip", .kind = scene::TotalForce{{0, 0, newton}}, .table = {}, .body = name});
   }
   return scene;
 }

@@ -52,10 +52,10 @@ struct Body {
 };
 
 struct Load {
-  std::string body = {};  ///< whom it acts on; empty in a scene that names no bodies
   Target target;
   std::variant<TotalForce, EachForce, Pressure, Traction> kind;
   std::optional<Table> table;  ///< a factor over time; absent: constant 1, in statics the load fraction
+  std::string body = {};       ///< the body it acts on; empty in a scene that names no bodies
 };
 
 /// Ground acceleration direction * table(t) m/s² of all supports (the direction is not normalised); motion is then
@@ -86,8 +86,8 @@ struct Static {
 
 struct Probe {
   std::string name;
-  std::string body = {};  ///< whose displacement it is; empty in a scene that names no bodies
   Target target;          ///< a set: the plain mean over its vertices
+  std::string body = {};  ///< the body whose displacement it is; empty in a scene that names no bodies
 };
 
 struct Scene {
