@@ -142,14 +142,14 @@ TEST(Frame, FollowsItsChangeAndTheFrameBefore) {
     constexpr double h = 1e-6;
     for (Index i = 0; i < frame_coordinates; ++i) {
       const FrameChange<double> small = h * FrameChange<double>::Unit(i);
-      const auto by_change = (small_motion(there, moved<double>(frame, change + small)) -
-                              small_motion(there, moved<double>(frame, change - small))) /
-                             (2 * h);
-      const auto by_frame = (small_motion(there, moved<double>(moved<double>(frame, small), change)) -
-                             small_motion(there, moved<double>(moved<double>(frame, -small), change))) /
-                            (2 * h);
-      EXPECT_LE((by_change.eval() - derivative.by_change.col(i)).norm(), 1e-8) << size << ' ' << i;
-      EXPECT_LE((by_frame.eval() - derivative.by_frame.col(i)).norm(), 1e-8) << size << ' ' << i;
+      const FrameChange<double> by_change = (small_motion(there, moved<double>(frame, change + small)) -
+                                             small_motion(there, moved<double>(frame, change - small))) /
+                                            (2 * h);
+      const FrameChange<double> by_frame = (small_motion(there, moved<double>(moved<double>(frame, small), change)) -
+                                            small_motion(there, moved<double>(moved<double>(frame, -small), change))) /
+                                           (2 * h);
+      EXPECT_LE((by_change - derivative.by_change.col(i)).norm(), 1e-8) << size << ' ' << i;
+      EXPECT_LE((by_frame - derivative.by_frame.col(i)).norm(), 1e-8) << size << ' ' << i;
     }
   }
 }

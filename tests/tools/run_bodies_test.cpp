@@ -19,16 +19,17 @@ std::string pull(const std::string& body, double newton) {
   return "[[load]]\n" + body + "set = 'tip'\ntotal = [0, 0, " + std::to_string(newton) + "]\n";
 }
 
-/// Two bodies of other.h5, which is nonlinear, and one of the model on the command line.
+/// Two bodies of model.other.h5, which is nonlinear, and one of the model on the command line.
 const std::string three =
     time +
-    "[[body]]\nname = 'a'\nmodel = 'other.h5'\n[[body]]\nname = 'b/c'\n[[body]]\nname = 'd'\nmodel = 'other.h5'\n" +
+    "[[body]]\nname = 'a'\nmodel = 'model.other.h5'\n[[body]]\nname = 'b/c'\n[[body]]\nname = 'd'\nmodel = "
+    "'model.other.h5'\n" +
     pull("body = 'a'\n", 20) + pull("body = 'b/c'\n", 18) + pull("body = 'd'\n", -4) +
     "[[probe]]\nname = 'last'\nbody = 'd'\nset = 'tip'\n[[probe]]\nname = 'first'\nbody = 'a'\nset = 'tip'\n";
 
 RunOptions prepare_three(const test::RunFolder& folder) {
   auto options = folder.prepare(three);
-  format::write(folder / "other.h5", test::nonlinear_sample_model());
+  format::write(folder / "model.other.h5", test::nonlinear_sample_model());
   return options;
 }
 
@@ -36,7 +37,7 @@ TEST(RunBodies, HaveEachAMotionOfItsOwn) {
   const test::RunFolder folder;
   const auto said = test::run(prepare_three(folder));
   EXPECT_THAT(folder.outputs(), ElementsAre("motion.a.h5", "motion.a.xdmf", "motion.b%2Fc.h5", "motion.b%2Fc.xdmf",
-                                            "motion.d.h5", "motion.d.xdmf", "other.h5", "probes.csv"));
+                                            "motion.d.h5", "motion.d.xdmf", "probes.csv"));
   EXPECT_THAT(said,
               AllOf(HasSubstr("body 'a': 10 steps"), HasSubstr("body 'b/c': 10 steps"), HasSubstr("body 'd': 10")));
 }
@@ -86,12 +87,12 @@ TEST(RunBodies, ThatCannotRunLeaveNothingBehind) {
     std::string scene, says;
   };
   const std::vector<Bad> bad = {
-      {time + "[[body]]\nname = 'a'\nmodel = 'none.h5'\n", "none.h5"},
-      {time + "[[body]]\nname = 'a'\nmodel = 'other.h5'\n", "is not used: leave one of them out"},
+      {time + "[[body]]\nname = 'a'\nmodel = 'none.h5'\n[[body]]\nname = 'b'\n", "none.h5"},
+      {time + "[[body]]\nname = 'a'\nmodel = 'model.other.h5'\n", "is not used: leave one of them out"},
       {time + "[[body]]\nname = 'a'\nmodel_body = 'boddy'\n", "has no body 'boddy'; did you mean 'body'?"},
       {time + "[[body]]\nname = 'a'\n[[body]]\nname = 'b'\n" + "[[load]]\nbody = 'b'\nset = 'tpi'\ntotal = [1, 0, 0]\n",
        "body 'b': "},
-      {time + "integrator = 'exact'\n[[body]]\nname = 'a'\n[[body]]\nname = 'b'\nmodel = 'other.h5'\n",
+      {time + "integrator = 'exact'\n[[body]]\nname = 'a'\n[[body]]\nname = 'b'\nmodel = 'model.other.h5'\n",
        "body 'b': the integrator 'exact' is for linear models"},
       {time + "[[body]]\nname = 'a'\n" + pull("", 1) +
            "table = [[0, 0], [0.25, 0], [0.3, 1e300]]\n[[load]]\nset = 'tip'\n" +
@@ -101,9 +102,9 @@ TEST(RunBodies, ThatCannotRunLeaveNothingBehind) {
   for (const auto& [scene, says] : bad) {
     const test::RunFolder folder;
     auto options = folder.prepare(scene);
-    format::write(folder / "other.h5", test::nonlinear_sample_model());
+    format::write(folder / "model.other.h5", test::nonlinear_sample_model());
     EXPECT_THAT([&] { test::run(options); }, ThrowsMessage<std::runtime_error>(HasSubstr(says)));
-    EXPECT_THAT(folder.outputs(), ElementsAre("other.h5"));
+    EXPECT_THAT(folder.outputs(), testing::IsEmpty());
   }
   const test::RunFolder folder;
   auto options = folder.prepare(time + "[[body]]\nname = 'a'\n");

@@ -48,7 +48,8 @@ class BytesRead : public testing::Test {
     const auto before = bytes_read();
     scene::Scene scene;
     scene.analysis = scene::Static{1};
-    const auto body = read_body(format::ModelReader(path_), scene, Frames::none, forces);
+    const format::ModelReader in(path_);
+    const auto body = read_body(in, in.first_body(), scene, Frames::none, forces);
     EXPECT_EQ(body.polynomial.has_value(), forces == Forces::stored);
     return bytes_read() - before;
   }
