@@ -87,6 +87,8 @@ std::string overdamped(const scene::Damping& damping) {
 
 void refuse_unfit(const RunOptions& options, const RunBody& body) {
   const auto* time = std::get_if<scene::Time>(&body.scene.analysis);
+  if (const auto left_out = world::left_out_motions(body.scene, *body.model))
+    refuse(*left_out, body.model_file.string());
   const bool nonlinear = body.model->polynomial.has_value();
   if (nonlinear && time && time->integrator == scene::Integrator::exact)
     throw InputError(
@@ -94,8 +96,6 @@ void refuse_unfit(const RunOptions& options, const RunBody& body) {
         "generalized-alpha, bdf2 or central-difference, or run it with --linear");
   if (!nonlinear && options.precision == world::Precision::single)
     throw InputError("--single is for nonlinear forces, and these are linear: leave it out");
-  if (const auto left_out = world::left_out_motions(body.scene, *body.model))
-    refuse(*left_out, body.model_file.string());
 }
 
 void refuse_beyond_room(const RunOptions& options, const std::vector<RunBody>& bodies, std::int64_t steps,
