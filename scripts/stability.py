@@ -14,22 +14,25 @@ import tempfile
 import time
 from pathlib import Path
 
+import h5py
+
+from bench import SOFT, Bench, text
+from programs import built
 from stability import report, table
-from stability.bench import SOFT, Bench, default_programs
-from stability.row import Length, Verdict
-from stability.work import run_row
+from stability.row import Length, Verdict, run_row
 
 
 def facts(programs, arguments):
     """What made this report."""
     with tempfile.TemporaryDirectory() as folder:
         bench = Bench(programs, folder)
-        ran = bench.reduce("-mesh", "box:1,1,1/1,1,1/tet4", *SOFT, "-modes", "1")
-        versions = {name.decode(): text.decode() for name, text in bench.read("model.h5", "provenance/versions")}
-        program = bench.run("ritz-inspect", "model.h5").out
-    ritz = next(line.split(None, 1)[1] for line in program.splitlines() if line.strip().startswith("program"))
+        bench.reduce("-mesh", "box:1,1,1/1,1,1/tet4", *SOFT, "-modes", "1")
+        with h5py.File(bench.folder / "model.h5") as file:
+            made = file["provenance"]
+            program = f"{text(made.attrs['program'])} on {made.attrs['ranks']} ranks"
+            versions = {text(name): text(version) for name, version in made["versions"][:]}
     return {"command": shlex.join(arguments), "date": datetime.datetime.now().isoformat(" ", "minutes"),
-            "machine": f"{platform.system()} {platform.release()} {platform.machine()}", "program": ritz, **versions}
+            "machine": f"{platform.system()} {platform.release()} {platform.machine()}", "program": program, **versions}
 
 
 def waiting(rows, done_guess, spent):
@@ -53,7 +56,7 @@ def main():
         print("\n".join(row.name for row in rows))
         return 0
 
-    programs, length = default_programs(), Length(options.length)
+    programs, length = built(), Length(options.length)
     made_by = facts(programs, sys.argv) if options.out else {}
     results, start, guessed = [], time.monotonic(), 0
     for i, row in enumerate(rows):

@@ -4,7 +4,8 @@ import hashlib
 import sys
 from pathlib import Path
 
-from report import campaign, lean, page, programs, scenes
+import programs
+from report import campaign, lean, page, scenes
 from report.methods import FORMS
 from report.progress import Progress
 
@@ -45,7 +46,7 @@ def main():
         return 130
     except programs.Failed as failure:
         progress.end()
-        print(f"report.sh: {failure}", file=sys.stderr)
+        print(f"report.sh: {failure.reason}", file=sys.stderr)
         return 1
     progress.end()
     print(page.write(options.output))

@@ -1,5 +1,4 @@
 """Where a scene is worked at: its files, its reduced models and its full motions, each made once and kept."""
-import csv
 import hashlib
 import json
 import os
@@ -7,9 +6,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import h5py
-import numpy as np
 
-from report import body, programs
+import programs
+from bench import report_of, table
+from report import body
 from report.methods import BY_NAME
 from report.scenes import Scene
 
@@ -28,8 +28,7 @@ def load(path):
 
 def probe(folder):
     """Times and places (n x 3) of the probe, from probes.csv."""
-    with open(folder / "probes.csv", newline="") as file:
-        rows = np.array([[float(x) for x in row] for row in list(csv.reader(file))[1:]])
+    rows = table(folder / "probes.csv")[1]
     return rows[:, 0], rows[:, 1:4]
 
 
@@ -41,11 +40,10 @@ def cost_of(path, training, done, words):
     """What ritz-reduce says of a model, and what the process cost, with the seconds that its training took."""
     stages = {"training": training} if training else {}
     with h5py.File(path) as file:
-        for name, seconds in zip(file["report/stages"][:], file["report/seconds"][:]):
-            stages[name.decode()] = stages.get(name.decode(), 0.0) + float(seconds)
-        names, values = file["report/figure_names"][:], file["report/figure_values"][:]
-        figures = {name.decode(): float(value) for name, value in zip(names, values)}
+        took, figures = report_of(file)
         columns = int(file["bodies/body/basis"].attrs["column_count"])
+    for name, seconds in took:
+        stages[name] = stages.get(name, 0.0) + seconds
     return {"stages": stages, "seconds": training + done.seconds, "memory": figures["peak_memory_bytes"],
             "bytes": path.stat().st_size, "columns": columns, "flags": " ".join(map(str, words)),
             "error_force": figures.get("witness_force")}
@@ -67,6 +65,11 @@ class Bench:
         mesh = self.scene.mesh if isinstance(self.scene.mesh, str) else self.scene.mesh.write(self.shared / "meshes")
         return ["-mesh", mesh, "-fix", self.scene.fixed, *self.scene.options]
 
+    def parallel(self, program, *words):
+        """Runs a program of the scene's problem."""
+        under = programs.mpirun(self.scene.ranks if self.scene.ranks > 1 else 0)
+        return programs.measured(self.bin / program, *self.problem(), *words, under=under)
+
     def toml(self, step, integrator, loads=None):
         text = self.scene.toml(step, integrator, self.scene.loads if loads is None else loads)
         path = self.folder / "scenes" / f"{name_of(text)}.toml"
@@ -81,8 +84,7 @@ class Bench:
         folder = self.shared / "bodies" / name_of(self.problem())
         if not (folder / "model.h5").exists():
             folder.mkdir(parents=True, exist_ok=True)
-            programs.run(self.bin / "ritz-reduce", [*self.problem(), "-modes", 1, "-export", "petsc", "-output",
-                                                    folder / "model.h5"], self.scene.ranks)
+            self.parallel("ritz-reduce", "-modes", 1, "-export", "petsc", "-output", folder / "model.h5")
             (folder / "model_K.bin").unlink()
         return body.read(folder / "model.h5", folder / "model_M.bin", self.scene.fixed)
 
@@ -101,8 +103,8 @@ class Bench:
 
     def full_once(self, scene, output, words):
         """Runs the full model; what its steps cost stands beside `output` as timing.csv."""
-        return programs.run(self.bin / "ritz-full", [*self.problem(), "-scene", scene, "-output", output, "-timing",
-                                                     output.parent / "timing.csv", *words], self.scene.ranks)
+        return self.parallel("ritz-full", "-scene", scene, "-output", output, "-timing", output.parent / "timing.csv",
+                             *words)
 
     def training(self):
         """The motion that POD learns from, at the middle step."""
@@ -121,8 +123,7 @@ class Bench:
             if method.learns:
                 motion, spent = self.training()
                 training, snapshots = spent["wall"], ["-snapshots", motion / "full.h5"]
-            done = programs.run(self.bin / "ritz-reduce", [*self.problem(), *words, *snapshots, "-output", path],
-                                self.scene.ranks)
+            done = self.parallel("ritz-reduce", *words, *snapshots, "-output", path)
             cost = cost_of(path, training, done, [*self.problem(), *words, *snapshots])
             save(folder / "cost.json", cost)
         return path, cost
@@ -133,4 +134,4 @@ class Bench:
         single = ["--single"] if precision == "single" else []
         words = [model, "--scene", self.toml(step, integrator), "--output", folder / "motion.h5", "--timing",
                  folder / "timing.csv", "--summary", folder / "summary.json", *single, *frames]
-        return programs.run(self.bin / "ritz-run", words)
+        return programs.measured(self.bin / "ritz-run", *words)

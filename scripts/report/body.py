@@ -6,6 +6,8 @@ import h5py
 import numpy as np
 import scipy.sparse
 
+from bench import report_of, text
+
 MAT_FILE_CLASSID = 1211216  # of PETSc
 
 
@@ -46,8 +48,7 @@ def read(model, mass, fixed):
         ids = geometry["vertex_ids"][:]
         free = np.ones((len(ids), 3), bool)
         free[geometry[f"sets/{fixed}/rows"][:]] = False
-        report = dict(zip((name.decode() for name in file["report/figure_names"][:]), file["report/figure_values"][:]))
-        text = lambda value: value.decode() if isinstance(value, bytes) else str(value)  # noqa: E731
+        report = report_of(file)[1]
         facts = {"mesh_checksum": text(file["provenance"].attrs["mesh_checksum"]),
                  "problem_checksum": text(file["provenance"].attrs["problem_checksum"]),
                  "vertices": int(report["vertices"]), "cells": int(report["cells"]),

@@ -8,14 +8,14 @@ from dataclasses import dataclass
 
 import h5py
 
-from report import programs
+import programs
+from bench import SOFT, Bench, report_of, rows, statics
 
-MATERIAL = ("-material_young", "1e6", "-material_poisson", "0.3", "-material_density", "1000")
 BEAMS = {"quick": "box:1,0.1,0.06/16,3,2/tet10", "full": "box:1,0.1,0.06/40,6,4/tet10"}
-STATIC = "[static]\nsteps = 4\n[[load]]\nset = 'xmax'\ntotal = [0, 0, -1]\n[[probe]]\nname = 'tip'\nset = 'xmax'\n"
+STATIC = statics('set = "xmax"', "total = [0, 0, -1]", steps=4)
 ONE_STEP = STATIC.replace("[static]\nsteps = 4", "[time]\nstep = 1e-3\nend = 1e-3")
 SCENES = {"one_step.toml": ONE_STEP, "static.toml": STATIC, "damped.toml": f"{ONE_STEP}[damping]\nalpha = 0.5\n"}
-RANKS, REPETITIONS = 2, 10
+REPETITIONS = 10
 COLUMNS = ("program", "form", "kind", "options", "stages", "groups", "seconds", "memory_bytes", "file_bytes",
            "load_seconds", "resident_bytes")
 
@@ -45,49 +45,48 @@ KINDS = (
 )
 
 
-def reduced(bin_folder, folder, model, body, kind):
+def reduced(bench, model, body, kind):
     """Reduces, and reads off the model what that took."""
-    words = [folder / word if word == "static.h5" else word for word in kind.options]
-    programs.run(bin_folder / "ritz-reduce", [*body, *words, "-output", model, "-quiet"], RANKS)
-    with h5py.File(model) as file:
-        stages = [name.decode() for name in file["report/stages"][:]]
-        seconds = float(sum(file["report/seconds"][:]))
-        figures = dict(zip((name.decode() for name in file["report/figure_names"][:]), file["report/figure_values"][:]))
+    bench.reduce(*body, *kind.options, "-output", model, "-quiet")
+    with h5py.File(bench.folder / model) as file:
+        stages, figures = report_of(file)
         groups = sorted(file["bodies/body"])
-    return {"stages": " ".join(stages), "groups": " ".join(groups), "seconds": seconds,
-            "memory_bytes": figures["peak_memory_bytes"], "file_bytes": model.stat().st_size}
+    return {"stages": " ".join(name for name, _ in stages), "groups": " ".join(groups),
+            "seconds": sum(seconds for _, seconds in stages), "memory_bytes": figures["peak_memory_bytes"],
+            "file_bytes": (bench.folder / model).stat().st_size}
 
 
-def load_times(bin_folder, commands):
+def load_times(bench, commands):
     """Of each of ritz-run's commands, which read what a step (or statics) needs and write one frame: median seconds, and
     bytes resident at the most. They take turns."""
-    rounds = [[programs.run(bin_folder / "ritz-run", words) for words in commands] for _ in range(REPETITIONS)]
+    ritz_run = bench.programs / "ritz-run"
+    rounds = [[programs.measured(ritz_run, *words, folder=bench.folder) for words in commands]
+              for _ in range(REPETITIONS)]
     return [{"load_seconds": statistics.median(run.seconds for run in runs),
              "resident_bytes": statistics.median(run.memory for run in runs)} for runs in zip(*rounds)]
 
 
-def run_words(folder, model, kind):
-    return [model, "--scene", folder / kind.scene, "--frames", "1", "--output", folder / "motion.h5", "--quiet", *kind.run]
+def run_words(model, kind):
+    return [model, "--scene", kind.scene, "--frames", "1", "--output", "motion.h5", "--quiet", *kind.run]
 
 
-def measure(bin_folder, folder, form, say):
+def measure(bench, form, say):
     """A list of rows. `say(text)` is called before each."""
-    folder.mkdir(parents=True, exist_ok=True)
-    body = ("-mesh", BEAMS[form], *MATERIAL)
-    for name, text in SCENES.items():
-        (folder / name).write_text(text)
+    bench.folder.mkdir(parents=True, exist_ok=True)
+    body = ("-mesh", BEAMS[form], *SOFT)
+    for name, scene in SCENES.items():
+        bench.write(name, scene)
     say("what kinds of scenes need: full statics")
-    programs.run(bin_folder / "ritz-full", [*body, *HELD, "-scene", folder / "static.toml", "-output",
-                                            folder / "static.h5", "-quiet"], RANKS)
-    rows, commands = [{"kind": "ritz-run alone (--help)"}], [["--help"]]
+    bench.full(*body, *HELD, "-scene", "static.toml", "-output", "static.h5", "-quiet")
+    found, commands = [{"kind": "ritz-run alone (--help)"}], [["--help"]]
     for number, kind in enumerate(KINDS):
         say(f"what kinds of scenes need: {kind.title}")
-        model = folder / f"{number}.h5"
-        rows.append({"kind": kind.title, "options": " ".join((*kind.options, *kind.run))} |
-                    reduced(bin_folder, folder, model, body, kind))
-        commands.append(run_words(folder, model, kind))
+        model = f"{number}.h5"
+        found.append({"kind": kind.title, "options": " ".join((*kind.options, *kind.run))} |
+                     reduced(bench, model, body, kind))
+        commands.append(run_words(model, kind))
     say("what kinds of scenes need: loading")
-    return [row | cost for row, cost in zip(rows, load_times(bin_folder, commands))]
+    return [row | cost for row, cost in zip(found, load_times(bench, commands))]
 
 
 def size_of(folder):
@@ -96,18 +95,15 @@ def size_of(folder):
 
 
 def read(path):
-    if not path.exists():
-        return []
-    with open(path, newline="") as file:
-        return list(csv.DictReader(file))
+    return rows(path) if path.exists() else []
 
 
-def write(path, rows):
+def write(path, found):
     part = path.with_suffix(".part")
     with open(part, "w", newline="") as file:
         table = csv.DictWriter(file, COLUMNS)
         table.writeheader()
-        table.writerows(rows)
+        table.writerows(found)
     os.replace(part, path)
 
 
@@ -118,7 +114,7 @@ def run(bin_folder, output, form, program, runtime, say):
     known = read(path)
     if known and all((row["program"], row["form"]) == (program, form) for row in known):
         return
-    rows = measure(bin_folder, output / "work" / program / "lean", form, say)
+    found = measure(Bench(bin_folder, output / "work" / program / "lean"), form, say)
     if runtime:
-        rows.append({"kind": "the runtime, installed (RITZ_PRECOMPUTE=OFF)", "file_bytes": size_of(runtime)})
-    write(path, [{"program": program, "form": form, **row} for row in rows])
+        found.append({"kind": "the runtime, installed (RITZ_PRECOMPUTE=OFF)", "file_bytes": size_of(runtime)})
+    write(path, [{"program": program, "form": form, **row} for row in found])

@@ -1,7 +1,8 @@
 """Meshes that no option of the programs makes: values that write themselves as a file into a folder."""
-import subprocess
 from dataclasses import dataclass
 from pathlib import Path
+
+import programs
 
 FORK = Path(__file__).resolve().parents[2] / "config" / "fork.geo"
 CORNERS = ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1))
@@ -20,7 +21,7 @@ class Fork:
             geometry, part = path.with_suffix(".geo"), path.with_suffix(".part.msh")
             geometry.write_text(f'size = {self.size!r};\nInclude "{FORK}";\n'
                                 f"Mesh.MeshSizeFromCurvature = {self.around};\n")
-            subprocess.run(["gmsh", "-3", "-v", "1", "-o", part, geometry], check=True, stdout=subprocess.DEVNULL)
+            programs.run("gmsh", "-3", "-v", "1", "-o", part, geometry)
             part.rename(path)
         return str(path)
 

@@ -1,13 +1,13 @@
 """One run: how wrong it is, once; what it costs, many times over."""
-import csv
 import dataclasses
-import json
 import math
 import shutil
 
 import numpy as np
 
-from report import errors, programs
+import programs
+from bench import rows, summary
+from report import errors
 from report.methods import BY_NAME
 from report.reference import tone_of
 
@@ -20,7 +20,7 @@ def judge(bench, reference, run, key):
     try:
         over_time = compare(bench, reference, run, key, row)
     except programs.Failed as failure:
-        return row | {"status": "failed", "reason": str(failure), "seconds": failure.seconds}, []
+        return row | {"status": "failed", "reason": failure.reason, "seconds": failure.seconds}, []
     return row | {"status": "done", "reason": ""}, over_time
 
 
@@ -86,7 +86,7 @@ def finest_frames(bench, reference, run):
 
 def energy_kept(folder):
     """Of a nonlinear motion, relative to the energy that there was; linear ones say none."""
-    energy = json.loads((folder / "summary.json").read_text())["energy"]
+    energy = summary(folder / "summary.json")["energy"]
     return energy["largest_drift"] / energy["available"] if energy and energy["available"] > 0 else float("nan")
 
 
@@ -100,10 +100,9 @@ def energy_drift(folder):
 
 def step_costs(folder):
     """µs of every step, Newton iterations and steps rejected in all."""
-    with open(folder / "timing.csv", newline="") as file:
-        rows = list(csv.DictReader(file))
-    return (np.array([float(row["microseconds"]) for row in rows]), sum(int(row["iterations"]) for row in rows),
-            sum(int(row["rejected"]) for row in rows))
+    steps = rows(folder / "timing.csv")
+    return (np.array([float(step["microseconds"]) for step in steps]), sum(int(step["iterations"]) for step in steps),
+            sum(int(step["rejected"]) for step in steps))
 
 
 def sample(bench, run, key, repetition, repetitions):
@@ -134,7 +133,7 @@ def part(bench, run, folder, repetition, repetitions):
     costs = costs[1:] if len(costs) > 1 else costs
     if repetition + 1 == repetitions:
         shutil.rmtree(folder)
-    return spent(costs, steps, done.memory)
+    return spent(costs, steps, done.memory * bench.scene.ranks)
 
 
 def parts_of(scene, run, repetitions):

@@ -2,7 +2,7 @@
 import math
 import re
 
-from .bench import material, statics
+from bench import material, statics
 from .meshes import TET, write_msh
 from .outcome import refused
 from .row import Figure, Row, near, says

@@ -1,7 +1,7 @@
 """A bar of two halves along x, one 1e6 times as stiff as the other."""
 import numpy as np
 
-from .bench import statics
+from bench import statics
 from .meshes import end_faces, hexahedra, write_msh
 from .row import Row, at_most, equal, near
 

@@ -1,7 +1,7 @@
 """Meshes and supports with too much or too little in them: a defined result, or one sentence."""
 import numpy as np
 
-from .bench import SOFT, statics
+from bench import SOFT, statics
 from .meshes import TET, hexahedra, tetrahedra, write_msh
 from .outcome import refused
 from .row import Row, at_most, equal, says

@@ -3,7 +3,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .bench import SOFT, Broken
+from bench import SOFT
+from programs import Failed
 
 BEAM = ["-mesh", "box:1,.1,.06/8,2,1/tet10", "-fix", "xmin", *SOFT]
 NEWTON = 1e-10  # the relative residual at which a step ends
@@ -48,5 +49,5 @@ def said(bench):
     summary = bench.summary("motion.json")
     energy = summary["energy"]
     if not energy or not energy["available"] > 0:
-        raise Broken(f"ritz-run says nothing of the energy: {energy}")
+        raise Failed(f"ritz-run says nothing of the energy: {energy}")
     return Said(summary["rejected_steps"], energy["gained"] / energy["available"], energy["lost"] / energy["available"])

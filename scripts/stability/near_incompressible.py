@@ -1,7 +1,7 @@
 """The clamped block 1 x 0.10 x 0.06 m, E = 1e6 Pa, 1000 kg/m3, towards nu = 1/2."""
 import numpy as np
 
-from .bench import material
+from bench import material
 from .meshes import quadratic, tetrahedra, write_msh
 from .outcome import refused
 from .row import Figure, Length, Row, near, says

@@ -1,6 +1,8 @@
 """The contract of a run that may fail: finite numbers, or one sentence, an exit code and nothing left behind."""
-from .bench import TRACES
 from .row import Figure, brief, finite
+
+# What no user should see.
+TRACES = ("PETSC ERROR", "Traceback", "HDF5-DIAG", "terminate called", "Segmentation", "MPI_ABORT")
 
 
 def refused(bench, ran, before, code=None):

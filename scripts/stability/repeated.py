@@ -1,9 +1,8 @@
 """Repeated eigenvalues: clusters are whole, and span the same space whoever computed them."""
-import subprocess
-
 import numpy as np
 
-from .bench import SOFT, Broken, material
+import programs
+from bench import SOFT, material
 from .meshes import hexahedra, permuted, write_msh
 from .row import Length, Row, at_most, equal, near
 
@@ -19,11 +18,13 @@ Mesh.MshFileVersion = 2.2;
 
 
 def clusters(values):
+    """Half-open ranges of indices whose neighbours agree."""
     ends = [i for i in range(1, len(values)) if values[i] - values[i - 1] > CLUSTER * values[i]] + [len(values)]
     return list(zip([0, *ends[:-1]], ends))
 
 
 def largest_sine(a, b):
+    """Between the spans of the columns."""
     qa, qb = np.linalg.qr(a)[0], np.linalg.qr(b)[0]
     return np.linalg.norm(qb - qa @ (qa.T @ qb), 2)
 
@@ -90,10 +91,7 @@ def cube(bench, length):
 
 def sphere(bench, length):
     bench.write("sphere.geo", SPHERE.format(size=.22))
-    meshed = subprocess.run(["gmsh", "-3", "sphere.geo", "-o", "sphere.msh"], cwd=bench.folder, capture_output=True,
-                            text=True)
-    if meshed.returncode != 0:
-        raise Broken(f"gmsh: {meshed.stderr or meshed.stdout}")
+    programs.run("gmsh", "-3", "sphere.geo", "-o", "sphere.msh", folder=bench.folder)
     words = ["-mesh", "sphere.msh", *material(poisson=.25), "-modes", "28"]
     values, _ = flexible(bench, *words)
     omega = np.sqrt(values / (1e6 / 2.5 / 1000))

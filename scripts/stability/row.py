@@ -1,11 +1,13 @@
-"""What a row asks, what it saw, and the verdict."""
-from __future__ import annotations
-
+"""What a row asks, what it saw, and the verdict; how it is run."""
 import enum
+import tempfile
+import time
 from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
+
+from bench import Bench
 
 
 class Length(enum.Enum):
@@ -51,6 +53,17 @@ class Result:
     @property
     def observed(self):
         return "; ".join(figure.text for figure in self.figures)
+
+
+def run_row(row, programs, length):
+    """In a folder of its own. A row that cannot be measured fails."""
+    start = time.monotonic()
+    with tempfile.TemporaryDirectory() as folder:
+        try:
+            figures = row.run(Bench(programs, folder), length)
+        except Exception as error:  # the report goes on and shows it
+            figures = [Figure(f"{type(error).__name__}: {error}", False)]
+    return Result(row, figures, time.monotonic() - start)
 
 
 def plain(name):

@@ -1,7 +1,7 @@
 """A cantilever of length 1 m and section 1 x 1 mm, quadratic cells."""
 import math
 
-from .bench import SOFT
+from bench import SOFT
 from .row import Figure, Row, near
 
 BEAM = ["-mesh", "box:1,.001,.001/30,1,1/tet10", "-fix", "xmin", *SOFT, "-modes", "2"]

@@ -1,7 +1,7 @@
 """One flat tetrahedron inside a clamped beam of 1 x 0.2 x 0.1 m; and flat and long cells by the hundred."""
 import numpy as np
 
-from .bench import SOFT
+from bench import SOFT
 from .meshes import quadratic, tetrahedra, with_sliver, write_msh
 from .outcome import refused
 from .row import Figure, Row, at_most, equal, near, reported, says

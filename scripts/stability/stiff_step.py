@@ -1,7 +1,7 @@
 """A beam bent far and let go, with steps a thousand times longer than its fastest mode takes."""
 import numpy as np
 
-from .bench import SOFT
+from bench import SOFT
 from .motion import GAINED, move, pull, reduce_beam, said
 from .row import Length, Row, at_most, finite, plain, reported
 

@@ -1,7 +1,7 @@
 """Units, densities and the origin: dimensionless results stay."""
 import numpy as np
 
-from .bench import material, statics
+from bench import material, statics
 from .meshes import tetrahedra, write_msh
 from .row import Length, Row, at_most
 

@@ -12,10 +12,11 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from bad_input.runner import sentences
-from program import BIN, BOX
+import programs
+from program import BOX, sentences
 from ranks_test import Compared
 
+MODES = [*BOX, "-fix", "xmin", "-quiet"]
 LONGER = [*BOX, "-fix", "xmin", "-mesh", "box:1,.4,.3/12,5,5/tet10", "-modes", "60"]
 LARGE = [*LONGER, "-modes", "200"]  # to write: 15 MB
 NONLINEAR = [*LONGER, "-mesh", "box:1,.4,.3/8,4,4/tet10", "-modes", "12", "-derivatives", "8", "-basis", "20",
@@ -52,14 +53,7 @@ class Faulty(Compared):
             (self.folder / name).write_text(text)
 
     def start(self, words, program="ritz-reduce"):
-        return subprocess.Popen(["mpirun", "-n", "2", BIN / program, *words], cwd=self.folder, text=True,
-                                stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-
-    def await_line(self, process, stage):
-        while line := process.stdout.readline():
-            if f"  {stage} " in line:
-                return
-        self.fail(f"{stage} never ended: {process.stderr.read()}")
+        return self.bench.start(program, *words)
 
     def expect_earlier_output(self):
         self.assertEqual({name: (self.folder / name).read_text() for name in EARLIER}, EARLIER)
@@ -76,12 +70,9 @@ class Killed(Faulty):
         self.assertNotEqual(process.returncode, 0)
         self.expect_earlier_output()
 
-    def after(self, stage):
-        return lambda process: self.await_line(process, stage)
-
     def half_a_file(self, process):
-        self.await_line(process, "loads")
-        self.assertTrue(await_that(lambda: list(self.folder.glob("model.h5.*.part"))))
+        self.after("loads")(process)
+        self.part("model.h5")(process)
 
     def test_a_rank_dies_in_any_stage_and_a_new_start_gives_the_same(self):
         waits = {"mesh": lambda process: None}
@@ -107,8 +98,7 @@ class Killed(Faulty):
                 self.assertEqual((self.folder / "full.h5").read_text(), "an earlier motion")
         states = []
         for name in ("full.h5", "again.h5"):
-            subprocess.run(["mpirun", "-n", "2", BIN / "ritz-full", *FULL, "-output", name, "-quiet"], cwd=self.folder,
-                           check=True, timeout=60)
+            self.full(*FULL, "-output", name, "-quiet", limit=60)
             with h5py.File(self.folder / name) as file:
                 states.append(file["state/displacement"][:])
         self.assertLess(np.abs(states[0] - states[1]).max(), 1e-10 * np.abs(states[0]).max())
@@ -133,7 +123,7 @@ class Short(Faulty):
         """The limit falls on both ranks between two stages."""
         for limit in (0, 4096, 300_000, 1_500_000):
             process = self.start(LONGER)
-            self.await_line(process, "mesh")
+            self.after("mesh")(process)
             for pid in ranks_of(process):
                 resource.prlimit(pid, resource.RLIMIT_FSIZE, (limit, limit))
             _, err = process.communicate(timeout=60)
@@ -150,43 +140,39 @@ class Short(Faulty):
         for size in ("64k", "600k", "1200k", "1700k"):
             script = ('mount -t tmpfs -o size=$0 none . && cd "$PWD" && echo earlier > model.h5 && '
                       'mpirun -n 2 "$@" >/dev/null; code=$?; ls; cat model.h5; exit $code')
-            result = subprocess.run(["unshare", "-m", "sh", "-c", script, size, BIN / "ritz-reduce", *LONGER],
-                                    cwd=self.folder, capture_output=True, text=True, timeout=60)
-            self.assertIn(result.returncode, (1, 2), result.stderr)
-            self.assertEqual(len(sentences(result.stderr)), 1, result.stderr)
-            self.assertEqual(result.stdout, "model.h5\nearlier\n")
+            result = self.run_alone(*LONGER, under=["unshare", "-m", "sh", "-c", script, size])
+            self.assertIn(result.code, (1, 2), result.err)
+            self.assertEqual(len(sentences(result.err)), 1, result.err)
+            self.assertEqual(result.out, "model.h5\nearlier\n")
 
 
 class Limited(Faulty):
     """Of address space, from the start: OpenBLAS would ask for its work space for ever."""
 
-    def run_in(self, megabytes, ranks, words):
+    def run_in(self, megabytes, program, words, ranks=0):
         script = f"ulimit -v {megabytes * 1024}; exec \"$@\""
-        command = [*(["mpirun", "-n", "2"] if ranks == 2 else []), "bash", "-c", script, "-", *words]
-        environment = {name: value for name, value in os.environ.items()
-                       if name not in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS")}
-        return subprocess.run(command, cwd=self.folder, capture_output=True, text=True, timeout=60, env=environment)
+        return self.run_alone(*words, program=program, ranks=ranks, under=["bash", "-c", script, "-"],
+                              environment=dict.fromkeys(programs.ONE_THREAD))
 
     def test_from_too_little_to_enough(self):
         (self.folder / "scene.toml").write_text(SWING.replace("end = 1", "end = 0.04"))
-        modes = [BIN / "ritz-reduce", *BOX, "-fix", "xmin", "-quiet"]
-        for words in (modes, [BIN / "ritz-full", *FULL, "-quiet"]):
+        for program, words in (("ritz-reduce", MODES), ("ritz-full", [*FULL, "-quiet"])):
             for megabytes in (350, 420, 460, 480, 2000):
-                with self.subTest(program=words[0].name, megabytes=megabytes):
-                    result = self.run_in(megabytes, 1, words)
-                    self.assertIn(result.returncode, (0,) if megabytes == 2000 else (0, 1), result.stderr)
-                    if result.returncode == 0:
+                with self.subTest(program=program, megabytes=megabytes):
+                    result = self.run_in(megabytes, program, words)
+                    self.assertIn(result.code, (0,) if megabytes == 2000 else (0, 1), result.err)
+                    if result.code == 0:
                         self.write_earlier_output()
                         continue
-                    self.assertEqual(len(sentences(result.stderr)), 1, result.stderr)
-                    self.assertIn("memory ran out", result.stderr)
+                    self.assertEqual(len(sentences(result.err)), 1, result.err)
+                    self.assertIn("memory ran out", result.err)
                     self.expect_earlier_output()
                     self.assertFalse([name for name in self.files() if name.endswith(".part")])
 
     def test_ranks(self):
-        result = self.run_in(420, 2, [BIN / "ritz-reduce", *BOX, "-fix", "xmin", "-quiet"])
-        self.assertEqual(result.returncode, 1, result.stderr)
-        self.assertEqual(len(sentences(result.stderr)), 1, result.stderr)
+        result = self.run_in(420, "ritz-reduce", MODES, ranks=2)
+        self.assertEqual(result.code, 1, result.err)
+        self.assertEqual(len(sentences(result.err)), 1, result.err)
         self.expect_earlier_output()
 
 
@@ -199,7 +185,7 @@ class Alone(Faulty):
         for program, words, stage in (("ritz-reduce", grows, "assemble"), ("ritz-reduce", NONLINEAR, "modes"),
                                       ("ritz-reduce", NONLINEAR, "basis"), ("ritz-full", FULL, "assemble")):
             process = self.start(words, program)
-            self.await_line(process, stage)
+            self.after(stage)(process)
             rank = ranks_of(process)[-1]
             status = Path(f"/proc/{rank}/status").read_text()
             size = 1024 * int(re.search(r"VmSize:\s+(\d+)", status)[1])

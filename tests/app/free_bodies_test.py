@@ -1,12 +1,10 @@
 """Bodies that can move as a whole, reduced with a basis that cannot: which loads run, and that those run right."""
-import csv
-import subprocess
 import unittest
 
 import h5py
 import numpy as np
 
-from program import BIN, InAFolder
+from program import InAFolder
 
 RUBBER = ["-mesh", "box:0.3,0.04,0.03/8,2,2/tet10", "-material_young", "1e6", "-material_poisson", "0.4",
           "-material_density", "1000", "-quiet"]
@@ -31,26 +29,20 @@ class FreeBodies(InAFolder):
         return name
 
     def run_it(self, model, scene, *words):
-        (self.folder / "scene.toml").write_text(scene)
-        return subprocess.run([BIN / "ritz-run", model, "--scene", "scene.toml", "--output", "moved.h5", *words],
-                              cwd=self.folder, capture_output=True, text=True, timeout=60)
-
-    def tip(self, table="moved.probes.csv"):
-        with open(self.folder / table, newline="") as file:
-            return np.array([float(x) for x in list(csv.reader(file))[-1][1:4]])
+        return self.move(model, "--scene", self.write("scene.toml", scene), "--output", "moved.h5", *words, code=None)
 
     def expect_runs(self, model, scene, *words):
         result = self.run_it(model, scene, *words)
-        self.assertEqual((result.returncode, result.stderr), (0, ""))
-        return self.tip()
+        self.assertEqual((result.code, result.err), (0, ""))
+        return self.tip("moved.probes.csv")
 
     def expect_refused(self, model, scene, *words, says=PUSHED):
         for old in self.folder.glob("moved*"):
             old.unlink()
         result = self.run_it(model, scene, *words)
-        self.assertEqual(result.returncode, 2, result.stderr)
-        self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
-        self.assertIn(says, result.stderr)
+        self.assertEqual(result.code, 2, result.err)
+        self.assertEqual(len(result.err.splitlines()), 1, result.err)
+        self.assertIn(says, result.err)
         self.assertFalse(any(name.startswith("moved") for name in self.files()), self.files())
 
     def test_a_free_nonlinear_body(self):
@@ -75,8 +67,7 @@ class FreeBodies(InAFolder):
         scene = TIME + stretched(ramp, ramp)
         reduced = self.expect_runs(self.model("-fix", "none", "-modes", "9", "-derivatives", "2", "-basis", "12",
                                               "-polynomial"), scene)
-        subprocess.run(["mpirun", "-n", "1", BIN / "ritz-full", *RUBBER, "-fix", "none", "-scene", "scene.toml",
-                        "-output", "whole.h5"], cwd=self.folder, check=True, timeout=120, capture_output=True)
+        self.full(*RUBBER, "-fix", "none", "-scene", "scene.toml", "-output", "whole.h5", ranks=1)
         full = self.tip("whole.probes.csv")
         self.assertGreater(full[0], 1e-5)
         self.assertLess(np.linalg.norm(reduced - full), 0.25 * np.linalg.norm(full))

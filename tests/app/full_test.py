@@ -1,17 +1,12 @@
 """ritz-full as a program: what it writes, the same on any number of ranks, and that it goes on from where it stopped."""
-import csv
-import json
-import re
 import subprocess
 import unittest
 import xml.etree.ElementTree
 
-import h5py
 import numpy as np
 
-from bad_input.runner import sentences
 from mesh_file import write_shuffled_beam
-from program import BIN, InAFolder
+from program import InAFolder, sentences
 
 MATERIAL = ["-material_young", "1e6", "-material_poisson", ".3", "-material_density", "1000", "-quiet"]
 BEAM = ["-mesh", "box:1,.15,.1/6,2,1/hex8", "-fix", "xmin", *MATERIAL]
@@ -47,25 +42,11 @@ vertex = 7
 
 
 class Full(InAFolder):
-    def full(self, *words, ranks=2, code=0):
-        result = subprocess.run(["mpirun", "-n", str(ranks), BIN / "ritz-full", *words], cwd=self.folder,
-                                capture_output=True, text=True, timeout=240)
-        self.assertEqual(result.returncode, code, result.stderr)
-        return result
-
     def scene(self, name="scene.toml", end=.4, integrator="avf", text=SCENE):
-        (self.folder / name).write_text(text.format(end=end, integrator=integrator))
-        return ["-scene", name]
-
-    def table(self, name):
-        with open(self.folder / name, newline="") as file:
-            header, *rows = csv.reader(file)
-        return header, np.array(rows, float)
+        return ["-scene", self.write(name, text.format(end=end, integrator=integrator))]
 
     def motion(self, name="full.h5"):
-        file = h5py.File(self.folder / name)
-        self.addCleanup(file.close)
-        return file
+        return self.file(name)
 
 
 class Files(Full):
@@ -127,7 +108,7 @@ class Files(Full):
         statics = '[static]\nsteps = 3\n[[load]]\nset = "xmax"\ntotal = [0, 3, 5]\n'
         for text, times in ((SCENE, .02 * np.arange(1, 21)), (statics, [1 / 3, 2 / 3, 1])):
             self.full(*BEAM, *self.scene(text=text), "-timing", "cost.csv", "-summary", "s.json")
-            summary = json.loads((self.folder / "s.json").read_text())
+            summary = self.bench.summary("s.json")
             header, rows = self.table("cost.csv")
             self.assertEqual(header, "t,microseconds,iterations,rejected".split(","))
             np.testing.assert_allclose(rows[:, 0], times, atol=1e-14)
@@ -168,8 +149,7 @@ class Loads(Full):
                     words = self.scene(text=top + self.HEAD + rest + self.PROBES)
                     self.full(*mesh, *words, "-frames", "0", ranks=2)
                     full = self.table("probes.csv")[1]
-                    subprocess.run([BIN / "ritz-run", "model.h5", "--scene", "scene.toml", "--frames", "0", "--quiet"],
-                                   cwd=self.folder, check=True, timeout=60)
+                    self.move("model.h5", "--scene", "scene.toml", "--frames", "0", "--quiet")
                     reduced = self.table("probes.csv")[1]
                     self.assertGreater(np.abs(reduced[:, 1:]).max(), 1e-10)
                     self.assertLess(np.abs(full - reduced).max(), 1e-6 * np.abs(reduced[:, 1:]).max())
@@ -182,10 +162,10 @@ class Failures(Full):
         for option, value, word in (("23", "1", "memory"), ("14", "-90", "-solve_mat_mumps_icntl_14")):
             with self.subTest(word):
                 result = self.full(*mesh, *self.scene(text=pull), f"-solve_mat_mumps_icntl_{option}", value, code=1)
-                complaint = sentences(result.stderr)
-                self.assertEqual(len(complaint), 1, result.stderr)
+                complaint = sentences(result.err)
+                self.assertEqual(len(complaint), 1, result.err)
                 self.assertIn(word, complaint[0])
-                self.assertNotIn("limit point", result.stderr)
+                self.assertNotIn("limit point", result.err)
                 self.assertEqual(self.files(), {"scene.toml"})
 
 
@@ -226,7 +206,7 @@ class Restart(Full):
         self.full(*BEAM, *self.scene(text=pull.format(n=1, y=3, z=5)), "-output", "end.h5", "-frames", "0")
         a, b = (self.motion(name)["state/displacement"][:] for name in ("whole.h5", "end.h5"))
         self.assertLess(np.abs(a - b).max(), 1e-9 * np.abs(a).max())
-        said = self.full(*BEAM, *self.scene(text=pull.format(n=4, y=3, z=5)), "-restart", "end.h5", code=2).stderr
+        said = self.full(*BEAM, *self.scene(text=pull.format(n=4, y=3, z=5)), "-restart", "end.h5", code=2).err
         self.assertIn("nothing is left to do", said)
 
     def test_what_it_cannot_go_on_from(self):
@@ -235,7 +215,7 @@ class Restart(Full):
         for words, piece in ((["-fix", "xmax"], "another"), (["-material_young", "2e6"], "another"),
                              ([], "nothing is left to do"), (["-restart", "scene.toml"], "scene.toml"),
                              (["-restart", "none.h5"], "none.h5")):
-            said = self.full(*BEAM, *self.scene(), "-restart", "half.h5", *words, code=2).stderr
+            said = self.full(*BEAM, *self.scene(), "-restart", "half.h5", *words, code=2).err
             self.assertIn(piece, said)
             self.assertEqual(self.files(), before)
 
@@ -253,11 +233,10 @@ class FullDisk(Full):
         for size, code in (("16k", 2), ("64k", 2), ("120k", 2), ("180k", 1)):  # 2: too small for the frames alone
             script = ('mount -t tmpfs -o size=$0 none . && cd "$PWD" && echo earlier > full.h5 && '
                       'mpirun -n 2 "$@" >/dev/null; code=$?; ls; cat full.h5; exit $code')
-            result = subprocess.run(["unshare", "-m", "sh", "-c", script, size, BIN / "ritz-full", *words],
-                                    cwd=disk, capture_output=True, text=True, timeout=60)
-            self.assertEqual(result.returncode, code, result.stderr)
-            self.assertEqual(len(sentences(result.stderr)), 1, result.stderr)
-            self.assertEqual(result.stdout, "full.h5\nearlier\n")
+            own_disk = ["unshare", "-m", "sh", "-c", script, size]
+            result = self.full(*words, ranks=0, under=own_disk, folder=disk, limit=60, code=code)
+            self.assertEqual(len(sentences(result.err)), 1, result.err)
+            self.assertEqual(result.out, "full.h5\nearlier\n")
 
 
 class Ranks(Full):

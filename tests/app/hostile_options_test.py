@@ -1,6 +1,5 @@
 """An options file, a folder's own files of options, or a scene that somebody was sent: they run no command, load no
 library, and end in one sentence."""
-import json
 import os
 import re
 import shutil
@@ -35,14 +34,11 @@ class Hostile(InAFolder):
         (self.folder / "evil.py").write_text("open('MARKER', 'w')\n")
         (self.folder / "sysconfig.py").write_text("open('MARKER', 'w')\n")
 
-    def run_alone(self, *words, program="ritz-reduce", **more):
-        return subprocess.run([BIN / program, *words], cwd=self.folder, capture_output=True, text=True, timeout=60, **more)
-
     def expect_one_sentence(self, result, before, *says):
-        lines = result.stderr.splitlines()
-        self.assertEqual(result.returncode, 2, result.stderr)
-        self.assertEqual(len(lines), 1, result.stderr)
-        self.assertNotIn("\x1b", result.stderr)
+        lines = result.err.splitlines()
+        self.assertEqual(result.code, 2, result.err)
+        self.assertEqual(len(lines), 1, result.err)
+        self.assertNotIn("\x1b", result.err)
         for piece in says:
             self.assertIn(piece, lines[0])
         self.assertEqual(self.files(), before)
@@ -81,7 +77,7 @@ class Hostile(InAFolder):
             for name in re.findall(r"^\s*(lib\S+) =>", needed, re.M):
                 shutil.copy(library, self.folder / name)
             result = self.run_alone("--help", program=program)
-            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertEqual(result.code, 0, result.err)
             self.assertNotIn("MARKER", self.files())
 
     @unittest.skipUnless(shutil.which("cc"), "no C compiler")
@@ -93,19 +89,19 @@ class Hostile(InAFolder):
         for place in (".petscrc", "petscrc", "home/.petscrc"):
             with self.subTest(place):
                 (self.folder / place).write_text(text)
-                result = self.run_alone(*BOX, "-quiet", env={**os.environ, "HOME": str(home)})
+                result = self.run_alone(*BOX, "-quiet", environment={"HOME": str(home)})
                 (self.folder / place).unlink()
-                self.assertEqual(result.returncode, 0, result.stderr)
-                self.assertRegex(result.stderr, rf"(?m)^warning: .*{re.escape(place)} are not read")
+                self.assertEqual(result.code, 0, result.err)
+                self.assertRegex(result.err, rf"(?m)^warning: .*{re.escape(place)} are not read")
                 self.assertFalse({"MARKER", "log"} & self.files())
                 self.assertGreaterEqual(len(self.eigenvalues()), 5)
 
     def test_petscs_own_variables_are_not_read(self):
         for name, value in (("PETSC_OPTIONS", "-modes 2 -log_view :log"), ("PETSC_OPTIONS_YAML", "modes: 2")):
             with self.subTest(name):
-                result = self.run_alone(*BOX, "-quiet", env={**os.environ, name: value})
-                self.assertEqual(result.returncode, 0, result.stderr)
-                self.assertRegex(result.stderr, rf"(?m)^warning: .*{name} are not read")
+                result = self.run_alone(*BOX, "-quiet", environment={name: value})
+                self.assertEqual(result.code, 0, result.err)
+                self.assertRegex(result.err, rf"(?m)^warning: .*{name} are not read")
                 self.assertNotIn("log", self.files())
                 self.assertGreaterEqual(len(self.eigenvalues()), 5)
 
@@ -154,10 +150,9 @@ class Reports(InAFolder):
                 (self.folder / "a.opts").write_text(" ".join(words) + "\n")
                 with self.subTest(given=given, words=words):
                     before = self.files()
-                    result = subprocess.run([BIN / "ritz-reduce", *BOX, *given], cwd=self.folder, capture_output=True,
-                                            text=True, timeout=60)
-                    self.assertEqual(result.returncode, 2, result.stderr)
-                    self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
+                    result = self.run_alone(*BOX, *given)
+                    self.assertEqual(result.code, 2, result.err)
+                    self.assertEqual(len(result.err.splitlines()), 1, result.err)
                     self.assertEqual(self.files(), before)
 
 
@@ -166,7 +161,7 @@ class Lengths(InAFolder):
 
     def free(self, *words):
         self.reduce(*words, "-summary", "s.json", ranks=1)
-        return json.loads((self.folder / "s.json").read_text())["problem"]["degrees_of_freedom"]
+        return self.bench.summary("s.json")["problem"]["degrees_of_freedom"]
 
     def test_of_a_value(self):
         expected = self.free(*BOX, "-fix", "xmin,xmax")
@@ -192,10 +187,9 @@ class Pipes(InAFolder):
                                ("ritz-reduce", [*BOX, "-accuracy", ".1", "-accuracy_scene", "pipe"]),
                                ("ritz-full", [*BOX, "-scene", "pipe"]), ("ritz-full", [*BOX, "-scene", "/dev/zero"])):
             with self.subTest(program=program, words=words[-1]):
-                result = subprocess.run([BIN / program, *words], cwd=self.folder, capture_output=True, text=True,
-                                        timeout=30)
-                self.assertEqual(result.returncode, 2, result.stderr)
-                self.assertIn("not a regular file", result.stderr)
+                result = self.run_alone(*words, program=program, limit=30)
+                self.assertEqual(result.code, 2, result.err)
+                self.assertIn("not a regular file", result.err)
 
 
 if __name__ == "__main__":

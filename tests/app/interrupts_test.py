@@ -1,53 +1,26 @@
 """A run that is asked to end, or whose files may not grow: nothing is half-written, one sentence says what was kept."""
-import os
-import resource
 import signal
-import subprocess
-import time
 import unittest
 
-from bad_input.runner import sentences
-from program import BIN, BOX, InAFolder
+from program import BOX, InAFolder, heed_signals, sentences
 
 HELD = [*BOX, "-fix", "xmin"]
 SCENE = '[time]\nstep = 1e-3\nend = {}\n[[load]]\nset = "xmax"\ntotal = [0, 2, 4]\n[[probe]]\nname = "tip"\nset = "xmax"\n'
 # mpirun waits so many seconds before it asks ranks to end, and again before it kills them; a second is what users have,
 # the other tests have none. What is interrupted must last longer.
-PATIENT = dict(os.environ, OMPI_MCA_odls_base_sigkill_timeout="1")
+PATIENT = {"OMPI_MCA_odls_base_sigkill_timeout": "1"}
 
-
-def setUpModule():
-    """A shell starts what it runs in the background with SIGINT and SIGQUIT ignored, and a program leaves them so."""
-    for number in (signal.SIGINT, signal.SIGQUIT, signal.SIGHUP):
-        if signal.getsignal(number) == signal.SIG_IGN:
-            signal.signal(number, signal.SIG_DFL)
+setUpModule = heed_signals
 
 
 class Interrupts(InAFolder):
-    def write(self, name, text):
-        (self.folder / name).write_text(text)
-
-    def interrupt(self, number, ready, *words):
+    def interrupt(self, number, ready, program, *words, ranks=0):
         """What a run answers to a signal that it is sent when `ready(process)` returns: code and sentences."""
-        process = subprocess.Popen(words, cwd=self.folder, text=True, env=PATIENT, stdout=subprocess.PIPE,
-                                   stderr=subprocess.PIPE)
+        process = self.bench.start(program, *words, ranks=ranks, environment=PATIENT)
         ready(process)
         process.send_signal(number)
         _, err = process.communicate(timeout=60)
         return process.returncode, [line for line in sentences(err) if line.startswith("ritz-")]
-
-    def after(self, stage):
-        def wait(process):
-            while f"  {stage} " not in (line := process.stdout.readline()):
-                self.assertTrue(line)
-        return wait
-
-    def part(self, name):
-        def wait(process):
-            deadline = time.monotonic() + 60
-            while not list(self.folder.glob(f"{name}.*.part")):
-                self.assertLess(time.monotonic(), deadline)
-        return wait
 
     def test_as_soon_as_there_is_a_file(self):
         """Also the one by which a run tries whether its folder takes files."""
@@ -55,7 +28,7 @@ class Interrupts(InAFolder):
         self.write("scene.toml", SCENE.format(1e5))
         before = self.files()
         for _ in range(10):
-            self.assertEqual(self.interrupt(signal.SIGTERM, self.part("motion.h5"), BIN / "ritz-run", "model.h5", "--scene",
+            self.assertEqual(self.interrupt(signal.SIGTERM, self.part("motion.h5"), "ritz-run", "model.h5", "--scene",
                                             "scene.toml"),
                              (-signal.SIGTERM, ["ritz-run: interrupted; motion.h5 was not written"]))
             self.assertEqual(self.files(), before)
@@ -63,7 +36,7 @@ class Interrupts(InAFolder):
     def test_the_runtime(self):
         self.reduce(*HELD, "-quiet")
         self.write("scene.toml", SCENE.format(1e5))
-        words = [BIN / "ritz-run", "model.h5", "--scene", "scene.toml", "--timing", "t.csv"]
+        words = ["ritz-run", "model.h5", "--scene", "scene.toml", "--timing", "t.csv"]
         before = self.files()
         for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
             self.assertEqual(self.interrupt(number, self.part("t.csv"), *words),
@@ -84,19 +57,18 @@ class Interrupts(InAFolder):
                  "full.h5 was not written"))
         before = self.files()
         for program, words, ready, kept in runs:
-            for number, launch in ((signal.SIGTERM, ["mpirun", "-n", "2"]), (signal.SIGINT, ["mpirun", "-n", "2"]),
-                                   (signal.SIGINT, [])):
-                with self.subTest(program, number=number, ranks=len(launch)):
-                    code, said = self.interrupt(number, ready, *launch, BIN / program, *words)
+            for number, ranks in ((signal.SIGTERM, 2), (signal.SIGINT, 2), (signal.SIGINT, 0)):
+                with self.subTest(program, number=number, ranks=ranks):
+                    code, said = self.interrupt(number, ready, program, *words, ranks=ranks)
                     self.assertEqual(said, [f"{program}: interrupted; {kept}"])
                     self.assertNotEqual(code, 0)
-                    if not launch:
+                    if not ranks:
                         self.assertEqual(code, -number)
                     self.assertEqual(self.files(), before)
         self.assertEqual((self.folder / "model.h5").read_text(), "an earlier model")
 
     def test_nobody_reads_its_output(self):
-        code, said = self.interrupt(0, lambda process: process.stdout.close(), BIN / "ritz-reduce", *HELD)
+        code, said = self.interrupt(0, lambda process: process.stdout.close(), "ritz-reduce", *HELD)
         self.assertEqual((code, said), (-signal.SIGPIPE, ["ritz-reduce: interrupted; model.h5 was not written"]))
         self.assertEqual(self.files(), set())
 
@@ -106,13 +78,12 @@ class Interrupts(InAFolder):
         self.write("motion.h5", "an earlier motion")
         before = self.files()
         for frames, limit in (("200", 0), ("200", 3000), ("200", 100_000), ("0", 40_000)):
-            short = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
-            result = subprocess.run([BIN / "ritz-run", "model.h5", "--scene", "scene.toml", "--frames", frames],
-                                    cwd=self.folder, capture_output=True, text=True, timeout=60, preexec_fn=short)
+            result = self.move("model.h5", "--scene", "scene.toml", "--frames", frames, code=None,
+                               under=["prlimit", f"--fsize={limit}"])
             with self.subTest(frames=frames, limit=limit):
-                self.assertEqual(result.returncode, 1)
-                self.assertEqual(len(sentences(result.stderr)), 1, result.stderr)
-                self.assertIn("ulimit -f", result.stderr)
+                self.assertEqual(result.code, 1)
+                self.assertEqual(len(sentences(result.err)), 1, result.err)
+                self.assertIn("ulimit -f", result.err)
                 self.assertEqual(self.files(), before)
         self.assertEqual((self.folder / "motion.h5").read_text(), "an earlier motion")
 
@@ -125,14 +96,14 @@ class Interrupts(InAFolder):
         script = ('mount -t tmpfs -o size=$0 none . && cd "$PWD" || exit 77; echo earlier > motion.h5; '
                   '"$@"; code=$?; ls; exit $code')
         for size in ("4k", "32k", "200k"):
-            result = subprocess.run(["unshare", "-rm", "sh", "-c", script, size, BIN / "ritz-run", "../model.h5", "--scene",
-                                     "../scene.toml"], cwd=disk, capture_output=True, text=True, timeout=60)
-            if result.returncode == 77:
+            result = self.move("../model.h5", "--scene", "../scene.toml", code=None, folder=disk,
+                               under=["unshare", "-rm", "sh", "-c", script, size])
+            if result.code == 77:
                 self.skipTest("no file system may be mounted here")
-            self.assertIn(result.returncode, (1, 2), result.stderr)  # 2: refused before the work
-            self.assertEqual(len(sentences(result.stderr)), 1, result.stderr)
-            self.assertIn("the disk is full" if result.returncode == 1 else "of the disk", result.stderr)
-            self.assertEqual(result.stdout, "motion.h5\n")
+            self.assertIn(result.code, (1, 2), result.err)  # 2: refused before the work
+            self.assertEqual(len(sentences(result.err)), 1, result.err)
+            self.assertIn("the disk is full" if result.code == 1 else "of the disk", result.err)
+            self.assertEqual(result.out, "motion.h5\n")
 
 
 if __name__ == "__main__":

@@ -1,13 +1,12 @@
 """What a scene does not need is absent: which stages ran (PETSc's log), which groups the file has, and that a part more
 leaves every bit of the others as it was; on two ranks, leaves them the same at the gates of ranks_test.py."""
 import re
-import subprocess
 import unittest
 
 import h5py
 import numpy as np
 
-from program import BIN, InAFolder
+from program import InAFolder
 from ranks_test import Compared
 
 BEAM = ["-mesh", "box:1,.1,.06/8,2,1/tet10", "-material_young", "1e6", "-material_poisson", ".3",
@@ -48,10 +47,8 @@ class Lean(InAFolder):
         for path in compared:
             self.assertEqual(one[path].tobytes(), other[path].tobytes(), path)
 
-    def full(self, scene):
-        (self.folder / "scene.toml").write_text(scene)
-        subprocess.run(["mpirun", "-n", "1", BIN / "ritz-full", *HELD, "-scene", "scene.toml", "-log_view", ":log",
-                        "-quiet"], cwd=self.folder, check=True, timeout=120)
+    def stages_of(self, scene):
+        self.full(*HELD, "-scene", self.write("scene.toml", scene), "-log_view", ":log", "-quiet", ranks=1)
         return self.stages()
 
     def test_linear(self):
@@ -81,16 +78,14 @@ class Lean(InAFolder):
         self.same(modes, basis, {"modes", "geometry"})
 
     def test_statics_only(self):
-        self.assertEqual(self.full(STATIC), ["mesh", "assemble", "run", "write"])
+        self.assertEqual(self.stages_of(STATIC), ["mesh", "assemble", "run", "write"])
         self.assertFalse((self.folder / "energy.csv").exists())
         stages, groups, _ = self.model(*HELD, "-modes", "0", "-snapshots", "full.h5", "-polynomial")
         self.assertEqual(stages, ["mesh", "assemble", "modes", "basis", "polynomial", "witness", "inertia", "loads",
                                   "write"])
         self.assertEqual(groups, GROUPS - {"modes"} | {"reduction", "polynomial"})
-        run = [BIN / "ritz-run", "model.h5", "--scene", "scene.toml", "--quiet"]
-        subprocess.run(run, cwd=self.folder, check=True, timeout=60)
-        subprocess.run([BIN / "ritz-inspect", "model.h5", "--check"], cwd=self.folder, check=True, timeout=60,
-                       stdout=subprocess.DEVNULL)
+        self.move("model.h5", "--scene", "scene.toml", "--quiet")
+        self.inspect("model.h5", "--check")
 
     def test_one_support_set(self):
         held = self.model(*HELD, "-modes", "4")
@@ -101,12 +96,12 @@ class Lean(InAFolder):
         self.same(held[2], free[2], {"geometry"})
 
     def test_no_damping(self):
-        self.assertEqual(self.full(MOVING), ["mesh", "assemble", "run", "write"])
+        self.assertEqual(self.stages_of(MOVING), ["mesh", "assemble", "run", "write"])
         undamped = (self.folder / "energy.csv").read_text().splitlines()
         dissipated = undamped[0].split(",").index("dissipated")
         self.assertEqual({row.split(",")[dissipated] for row in undamped[1:]}, {"0"})
         log = (self.folder / "log").read_text()
-        self.full(MOVING + "[damping]\nbeta = 1e-3\n")
+        self.stages_of(MOVING + "[damping]\nbeta = 1e-3\n")
         count = lambda text: int(re.search(r"^MatMult +(\d+)", text, re.MULTILINE).group(1))
         self.assertGreater(count((self.folder / "log").read_text()), count(log))
 

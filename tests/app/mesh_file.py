@@ -1,12 +1,7 @@
 """A mesh file that no generator would write: a beam whose vertices and cells stand in a random order."""
-import sys
-from pathlib import Path
-
 import numpy as np
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
-
-from stability.meshes import tetrahedra  # noqa: E402
+from stability.meshes import tetrahedra
 
 
 def write_shuffled_beam(path, cells=(10, 2, 2), lengths=(1, .1, .06)):

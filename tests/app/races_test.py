@@ -1,16 +1,13 @@
 """Runs that would write one file at the same time: one writes it, the others say so, and nothing is mixed."""
-import subprocess
-import time
 import unittest
 
 import h5py
 import numpy as np
 
-from bad_input.runner import sentences
-from program import BIN, BOX, InAFolder
+from program import BOX, InAFolder, sentences
 
 HELD = [*BOX, "-fix", "xmin"]
-LONGER = ["mpirun", "-n", "2", BIN / "ritz-reduce", *HELD, "-mesh", "box:1,.4,.3/12,5,5/tet10", "-modes", "60"]
+LONGER = [*HELD, "-mesh", "box:1,.4,.3/12,5,5/tet10", "-modes", "60"]
 SCENE = '[time]\nstep = 1e-3\nend = {}\n[[load]]\nset = "xmax"\ntotal = [0, 2, 4]\n[[probe]]\nname = "tip"\nset = "xmax"\n'
 
 
@@ -20,8 +17,8 @@ class Races(InAFolder):
         self.processes = []
         self.addCleanup(lambda: [process.kill() or process.communicate() for process in self.processes])
 
-    def start(self, *words):
-        process = subprocess.Popen(words, cwd=self.folder, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    def start(self, program, *words, **how):
+        process = self.bench.start(program, *words, **how)
         self.processes.append(process)
         return process
 
@@ -31,16 +28,9 @@ class Races(InAFolder):
         self.processes.remove(process)
         return process.returncode, sentences(err)
 
-    def move(self, end, *words):
-        scene = self.folder / f"{end}.toml"
-        scene.write_text(SCENE.format(end))
-        return self.start(BIN / "ritz-run", "model.h5", "--scene", scene.name, "--frames", "0", *words)
-
-    def await_part(self, name):
-        deadline = time.monotonic() + 60
-        while not list(self.folder.glob(f"{name}.*.part")):
-            self.assertLess(time.monotonic(), deadline)
-            time.sleep(.002)
+    def start_moving(self, end, *words):
+        scene = self.write(f"{end}.toml", SCENE.format(end))
+        return self.start("ritz-run", "model.h5", "--scene", scene, "--frames", "0", *words)
 
     def refused(self, process, name):
         code, said = self.end(process)
@@ -49,20 +39,20 @@ class Races(InAFolder):
 
     def test_a_run_that_comes_second_is_refused_at_once(self):
         self.reduce(*HELD, "-quiet")
-        first = self.move(1e5, "--output", "a.h5")
-        self.await_part("a.h5")
-        self.refused(self.move(1, "--output", "a.h5"), "a.h5")
-        self.refused(self.move(1, "--output", "b.h5", "--timing", "./a.probes.csv"), "a.probes.csv")
-        self.assertEqual(self.end(self.move(1, "--output", "b.h5")), (0, []))
+        first = self.start_moving(1e5, "--output", "a.h5")
+        self.part("a.h5")(first)
+        self.refused(self.start_moving(1, "--output", "a.h5"), "a.h5")
+        self.refused(self.start_moving(1, "--output", "b.h5", "--timing", "./a.probes.csv"), "a.probes.csv")
+        self.assertEqual(self.end(self.start_moving(1, "--output", "b.h5")), (0, []))
         self.assertIn("b.probes.csv", self.files())
         first.kill()
         self.end(first)
-        self.assertEqual(self.end(self.move(1, "--output", "a.h5")), (0, []), "a killed run holds nothing")
+        self.assertEqual(self.end(self.start_moving(1, "--output", "a.h5")), (0, []), "a killed run holds nothing")
 
     def test_of_many_at_once_one_is_whole(self):
         self.reduce(*HELD, "-quiet")
         for _ in range(3):
-            many = [self.move(end) for end in (.2, .3, .4, .5)]
+            many = [self.start_moving(end) for end in (.2, .3, .4, .5)]
             codes = [self.end(process)[0] for process in many]
             self.assertIn(0, codes)
             self.assertLessEqual(set(codes), {0, 2})
@@ -73,20 +63,17 @@ class Races(InAFolder):
             self.assertFalse([name for name in self.files() if name.endswith(".part")])
 
     def test_models(self):
-        first = self.start(*LONGER)
-        while "  mesh " not in (line := first.stdout.readline()):
-            self.assertTrue(line)
-        self.refused(self.start(BIN / "ritz-reduce", *HELD, "-quiet"), "model.h5")
+        first = self.start("ritz-reduce", *LONGER)
+        self.after("mesh")(first)
+        self.refused(self.start("ritz-reduce", *HELD, "-quiet", ranks=0), "model.h5")
         self.assertEqual(self.end(first), (0, []))
-        subprocess.run([BIN / "ritz-inspect", "model.h5", "--check"], cwd=self.folder, check=True, timeout=60,
-                       stdout=subprocess.DEVNULL)
+        self.inspect("model.h5", "--check")
         np.testing.assert_allclose(self.eigenvalues(), self.body()["modes/eigenvalues"][:], rtol=1e-14)
 
     def test_what_another_has_written_meanwhile_stays(self):
         """As a run on another machine would, which ours cannot see."""
-        process = self.start(*LONGER)
-        while "  assemble " not in (line := process.stdout.readline()):
-            self.assertTrue(line)
+        process = self.start("ritz-reduce", *LONGER)
+        self.after("assemble")(process)
         (self.folder / "frequencies.csv").write_text("another's")
         self.refused(process, "frequencies.csv")
         self.assertEqual({path.name: path.read_text() for path in self.folder.iterdir()}, {"frequencies.csv": "another's"})

@@ -10,7 +10,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from program import BIN, BOX, InAFolder
+from program import BOX, InAFolder
 
 CLAMPED = [*BOX, "-fix", "xmin"]
 CONFIG = Path(__file__).resolve().parents[2] / "config"
@@ -82,9 +82,9 @@ class Files(InAFolder):
         self.assertGreaterEqual(max(len(re.sub(r"\D", "", row["eigenvalue"])) for row in rows), 14)
 
     def test_no_modes_are_modes_too(self):
-        self.assertIn("-modes 0", self.reduce(*CLAMPED, "-modes", "0", code=2).stderr)
+        self.assertIn("-modes 0", self.reduce(*CLAMPED, "-modes", "0", code=2).err)
         self.assertEqual(self.files(), set())
-        self.assertNotIn("certified", self.reduce(*BOX, "-modes", "0").stdout)
+        self.assertNotIn("certified", self.reduce(*BOX, "-modes", "0").out)
         self.assertEqual([row["kind"] for row in self.frequencies()], ["rigid"] * 6)
 
     def test_all_modes_when_more_are_asked_for_than_there_are(self):
@@ -117,10 +117,9 @@ class Files(InAFolder):
 
     def test_what_no_factorization_counts_is_not_certified(self):
         for solver, word in (("direct", "inertia"), ("iterative", "no")):
-            said = self.reduce(*CLAMPED, "-solver", solver).stdout
+            said = self.reduce(*CLAMPED, "-solver", solver).out
             self.assertEqual({row["certified"] for row in self.frequencies()}, {word})
-            inspected = subprocess.run([BIN / "ritz-inspect", "model.h5"], cwd=self.folder, capture_output=True,
-                                       text=True, check=True).stdout
+            inspected = self.inspect("model.h5").out
             for text in (said, inspected):
                 self.assertEqual("not certified" in text, solver == "iterative", text)
 
@@ -147,7 +146,7 @@ class Files(InAFolder):
 
 class Voice(InAFolder):
     def test_lines_where_nobody_watches(self):
-        lines = self.reduce(*CLAMPED).stdout.splitlines()
+        lines = self.reduce(*CLAMPED).out.splitlines()
         for stage in ("mesh", "assemble", "modes", "write"):
             self.assertEqual(len([l for l in lines if re.match(rf"\d{{4}}-\d\d-\d\d \d\d:\d\d:\d\d  {stage} ", l)]), 1, stage)
         self.assertFalse(any("\r" in line or "\033" in line for line in lines))
@@ -157,8 +156,7 @@ class Voice(InAFolder):
         """What ritz-reduce writes to one, whose ends of line are \\r\\n."""
         ours, theirs = pty.openpty()
         with os.fdopen(ours, "rb", buffering=0) as screen:
-            run = subprocess.Popen(["mpirun", "-n", "2", BIN / "ritz-reduce", *words], cwd=self.folder, stdout=theirs,
-                                   stdin=subprocess.DEVNULL)
+            run = self.bench.start("ritz-reduce", *words, stdout=theirs, stderr=None, stdin=subprocess.DEVNULL)
             os.close(theirs)
             written = b""
             try:
@@ -182,18 +180,18 @@ class Voice(InAFolder):
 
     def test_quiet(self):
         result = self.reduce(*[word.replace("tet4", "tet10") for word in CLAMPED], "-quiet")
-        self.assertEqual((result.stdout, result.stderr), ("", ""))
+        self.assertEqual((result.out, result.err), ("", ""))
 
     def test_help_is_printed_once_and_nothing_run(self):
         for word in ("-help", "--help"):
-            text = self.reduce(word).stdout
+            text = self.reduce(word).out
             self.assertEqual(text.count("usage:"), 1)
             for option in ("mesh", "fix", "modes", "material_young", "units", "output", "reuse", "export", "plan"):
                 self.assertEqual(len(re.findall(rf"^  -{option}\b", text, re.M)), 1, option)
         self.assertEqual(self.files(), set())
 
     def test_plan_writes_nothing(self):
-        plan = self.reduce(*CLAMPED, "-plan", "-solver", "direct", ranks=1).stdout
+        plan = self.reduce(*CLAMPED, "-plan", "-solver", "direct", ranks=1).out
         self.assertIn("modes", plan)
         self.assertRegex(plan, r"two factorizations \d+\.\d s, block Lanczos \d+\.\d s")
         self.assertRegex(plan, r"over 1 rank\n")
@@ -201,7 +199,7 @@ class Voice(InAFolder):
 
     def plan(self, *words, ranks=2):
         """The stages of a plan with what it says of each, and the bytes of a rank."""
-        text = self.reduce(*CLAMPED, "-plan", "-solver", "direct", *words, ranks=ranks).stdout
+        text = self.reduce(*CLAMPED, "-plan", "-solver", "direct", *words, ranks=ranks).out
         stages = dict(re.findall(r"^  (\w[\w ]*?) +\d+\.\d s   (.*)$", text, re.M))
         return stages, float(re.match(r"(\d+\.\d+) GB a rank", stages["in all"])[1])
 
@@ -250,7 +248,7 @@ class Voice(InAFolder):
     def test_log_view_shows_the_stages(self):
         (self.folder / "a.opts").write_text("-log_view\n")
         for words in (["-log_view"], ["-options_file", "a.opts"]):
-            text = self.reduce(*CLAMPED, *words).stdout
+            text = self.reduce(*CLAMPED, *words).out
             for stage in ("mesh", "assemble", "modes", "inertia", "loads", "write"):
                 self.assertRegex(text, rf"Event Stage \d+: {stage}|\d+: +{stage}:")
 
@@ -262,7 +260,7 @@ class Reuse(InAFolder):
 
     def again(self, *words):
         result = self.reduce(*CLAMPED, "-reuse", "old.h5", *words)
-        return result.stdout, besides_linear_cells(result.stderr)
+        return result.out, besides_linear_cells(result.err)
 
     def test_of_the_same_problem(self):
         before = self.eigenvalues(table="old.frequencies.csv")
@@ -274,7 +272,7 @@ class Reuse(InAFolder):
 
     def test_on_another_number_of_ranks_and_for_more_modes(self):
         before = self.eigenvalues(table="old.frequencies.csv")
-        self.assertIn("reusing", self.reduce(*CLAMPED, "-reuse", "old.h5", "-modes", "9", ranks=3).stdout)
+        self.assertIn("reusing", self.reduce(*CLAMPED, "-reuse", "old.h5", "-modes", "9", ranks=3).out)
         self.assertGreaterEqual(len(self.eigenvalues()), 9)
         np.testing.assert_allclose(self.eigenvalues()[:len(before)], before, rtol=1e-10)
         self.assertEqual({row["certified"] for row in self.frequencies()}, {"inertia"})
@@ -304,7 +302,7 @@ class ReuseOfABasis(InAFolder):
 
     def again(self, *words, ranks=1):
         result = self.reduce(*CLAMPED, "-reuse", "old.h5", *words, ranks=ranks)
-        return result.stdout, besides_linear_cells(result.stderr)
+        return result.out, besides_linear_cells(result.err)
 
     def assert_nothing_reused(self, words, why):
         out, err = self.again(*words)
@@ -312,10 +310,6 @@ class ReuseOfABasis(InAFolder):
         self.assertEqual(len(err.splitlines()), 1, err)
         self.assertIn("nothing is reused of old.h5", err)
         self.assertIn(why, err)
-
-    def figures(self, name):
-        report = self.body(name).file["report"]
-        return dict(zip(report["figure_names"].asstr()[:], report["figure_values"][:]))
 
     def test_adds_the_polynomial(self):
         table = (self.folder / "old.frequencies.csv").read_bytes()
@@ -333,11 +327,10 @@ class ReuseOfABasis(InAFolder):
             for name, data in contents(old[part]).items():
                 np.testing.assert_array_equal(contents(new[part])[name], data, f"{part}/{name}")
         self.assertEqual((self.folder / "frequencies.csv").read_bytes(), table)
-        before, after = self.figures("old.h5"), self.figures("model.h5")
+        before, after = self.report("old.h5")[1], self.report("model.h5")[1]
         for name in ("derivatives_solved", "basis_orthonormality", "witness_taylor_slope", "eigensolver_iterations"):
             self.assertEqual(after[name], before[name], name)
-        check = subprocess.run([BIN / "ritz-inspect", self.folder / "model.h5", "--check"], capture_output=True)
-        self.assertEqual(check.returncode, 0, check.stdout)
+        self.inspect("model.h5", "--check")
 
     def test_on_another_number_of_ranks(self):
         self.assertIn("reusing the basis", self.again(*self.BASIS, ranks=3)[0])
@@ -345,7 +338,7 @@ class ReuseOfABasis(InAFolder):
 
     def test_of_a_model_that_reused_it(self):
         self.again(*self.BASIS, "-output", "new.h5")
-        out = self.reduce(*CLAMPED, *self.BASIS, "-reuse", "new.h5", "-polynomial", ranks=1).stdout
+        out = self.reduce(*CLAMPED, *self.BASIS, "-reuse", "new.h5", "-polynomial", ranks=1).out
         self.assertIn("reusing the basis of 7 columns of new.h5", out)
 
     def test_says_why_not(self):

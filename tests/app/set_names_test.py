@@ -1,12 +1,11 @@
 """One name for a node set, an element set and a surface means the same to every program: to -fix, to a scene's loads and
 probes in ritz-full and in ritz-run; and a name that stays ambiguous is refused alike."""
-import subprocess
 import unittest
 
 import numpy as np
 
 from mesh_file import tetrahedra
-from program import BIN, InAFolder
+from program import InAFolder
 
 LABELS = {3: "S1", 2: "S2", 0: "S3", 1: "S4"}  # of a tetrahedron's face, by the vertex that is not on it
 MATERIAL = ["-material_young", "1e6", "-material_poisson", ".3", "-material_density", "1000"]
@@ -48,15 +47,12 @@ class SetNames(InAFolder):
         return np.array(self.eigenvalues())
 
     def probes(self, program, text, code=0):
-        (self.folder / "scene.toml").write_text(text)
-        words = {"run": [BIN / "ritz-run", "model.h5", "--scene", "scene.toml", "--output", "motion.h5"],
-                 "full": ["mpirun", "-n", "2", BIN / "ritz-full", "-mesh", "beam.inp", *MATERIAL, "-fix", "FIX",
-                          "-scene", "scene.toml", "-quiet"]}[program]
-        result = subprocess.run(words, cwd=self.folder, capture_output=True, text=True, timeout=120)
-        self.assertEqual(result.returncode, code, result.stderr)
-        if code:
-            return result.stderr
-        return np.loadtxt(self.folder / "probes.csv", delimiter=",", skiprows=1)[-1, 1:]
+        scene = self.write("scene.toml", text)
+        if program == "run":
+            result = self.move("model.h5", "--scene", scene, "--output", "motion.h5", code=code)
+        else:
+            result = self.full("-mesh", "beam.inp", *MATERIAL, "-fix", "FIX", "-scene", scene, "-quiet", code=code)
+        return result.err if code else self.tip()
 
     def test_supports_take_the_node_set(self):
         alone = self.model("FIX_N")
@@ -83,7 +79,7 @@ class SetNames(InAFolder):
             self.assertIn("several sets 'EITHER'; say which: 'elset:EITHER' or 'surface:EITHER'", says)
             self.assertEqual(sum(line.startswith("ritz-") for line in says.splitlines()), 1)
         refused = self.reduce("-mesh", "beam.inp", *MATERIAL, "-fix", "EITHER", code=2)
-        self.assertIn("'elset:EITHER' or 'surface:EITHER'", refused.stderr)
+        self.assertIn("'elset:EITHER' or 'surface:EITHER'", refused.err)
 
 
 if __name__ == "__main__":

@@ -1,21 +1,18 @@
 """The frame of the stability report: verdicts, failures of a row, the three forms of the table."""
-import csv
-import subprocess
 import sys
 import unittest
 from pathlib import Path
 
 import numpy as np
 
-SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
-sys.path.insert(0, str(SCRIPTS))
+import programs
+from bench import rows
+from program import BIN, InAFolder
+from stability import report, table
+from stability.outcome import finite_or_failed, refused
+from stability.row import Length, Row, Verdict, at_most, equal, finite, near, reported, run_row, says
 
-from program import BIN, InAFolder  # noqa: E402
-from stability import report, table  # noqa: E402
-from stability.outcome import finite_or_failed, refused  # noqa: E402
-from stability.bench import Bench, Ran  # noqa: E402
-from stability.row import Length, Row, Verdict, at_most, equal, finite, near, reported, says  # noqa: E402
-from stability.work import run_row  # noqa: E402
+PROGRAM = Path(__file__).resolve().parents[2] / "scripts/stability.py"
 
 
 def row(*figures, name="a_row"):
@@ -51,12 +48,12 @@ class Frame(InAFolder):
         self.assertIn("exit code 2", result.observed)
 
     def test_what_a_refusal_must_be(self):
-        bench = Bench(BIN, self.folder)
-        good = Ran("ritz-run", 2, "", "ritz-run: a sentence\n", 0)
+        bench = self.bench
+        good = programs.Ran("ritz-run", 2, "", "ritz-run: a sentence\n")
         self.assertTrue(refused(bench, good, set()).holds)
         self.assertIs(refused(bench, good, set(), code=1).holds, False)
         for err in ("", "ritz-run: one\nritz-run: two\n", "ritz-run: one\nTraceback (most recent call last)\n"):
-            self.assertIs(refused(bench, Ran("ritz-run", 2, "", err, 0), set()).holds, False)
+            self.assertIs(refused(bench, programs.Ran("ritz-run", 2, "", err), set()).holds, False)
         (self.folder / "motion.h5.part").write_text("")
         self.assertIs(refused(bench, good, set()).holds, False)
         wrong_input = finite_or_failed(bench, "x", "ritz-run", ["none.h5", "--scene", "none.toml"], "motion.h5", "z")
@@ -66,8 +63,7 @@ class Frame(InAFolder):
         results = [self.result(at_most("x", 2, 1))]
         self.assertIn("NOT MET: x 2", report.text_of(results[0]))
         report.write_csv(self.folder / "t.csv", results)
-        with open(self.folder / "t.csv", newline="") as file:
-            line = next(csv.DictReader(file))
+        line, = rows(self.folder / "t.csv")
         self.assertEqual((line["scene"], line["asked"], line["observed"], line["verdict"]),
                          ("a scene with <angles>", "what & why", "x 2 (gate 1)", "fails"))
         report.write_html(self.folder / "t.html", results, {"Group": [results[0].row]}, {"command": "this"})
@@ -77,16 +73,14 @@ class Frame(InAFolder):
             self.assertNotIn(far, page)
 
     def test_the_program(self):
-        def stability(*words):
-            return subprocess.run([sys.executable, SCRIPTS / "stability.py", *words], cwd=self.folder,
-                                  capture_output=True, text=True)
-        names = stability("--list").stdout.split()
+        def stability(*words, code=0):
+            return programs.run(sys.executable, PROGRAM, *words, folder=self.folder, code=code)
+        names = stability("--list").out.split()
         self.assertEqual(names, [row.name for row in table.ROWS])
         self.assertEqual(len(names), len(set(names)))
-        self.assertEqual(stability("--rows", "no_such_row").returncode, 2)
+        stability("--rows", "no_such_row", code=2)
         done = stability("--rows", "nothing_free", "--length", "short", "--out", "report")
-        self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("1 holds, 0 fails", done.stdout)
+        self.assertIn("1 holds, 0 fails", done.out)
         written = {path.name for path in (self.folder / "report").iterdir()}
         self.assertEqual(written, {"stability.csv", "stability.html"})
 

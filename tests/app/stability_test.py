@@ -4,14 +4,10 @@
 """
 import sys
 import unittest
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
-
-from program import BIN  # noqa: E402
-from stability import report, table  # noqa: E402
-from stability.row import Length, Verdict  # noqa: E402
-from stability.work import run_row  # noqa: E402
+from program import BIN
+from stability import report, table
+from stability.row import Length, Verdict, run_row
 
 
 class Stability(unittest.TestCase):

@@ -9,11 +9,11 @@ PART = ["-material_poisson", ".3", "-modes", "2", "-fix", "xmin", "-quiet"]
 class Warnings(InAFolder):
     def warnings(self, kind, poisson):
         words = [word.replace("tet4", kind) for word in BOX]
-        return self.reduce(*words, "-fix", "none", "-material_poisson", poisson, "-quiet").stderr
+        return self.reduce(*words, "-fix", "none", "-material_poisson", poisson, "-quiet").err
 
     def part(self, size, young, density, *words, ranks=1):
         return self.reduce("-mesh", f"box:{size}/6,1,1/tet10", "-material_young", young, "-material_density", density,
-                           *PART, *words, ranks=ranks).stderr
+                           *PART, *words, ranks=ranks).err
 
     def test_locking_of_linear_tetrahedra(self):
         for poisson in (".49", ".499", ".4999"):
@@ -29,7 +29,7 @@ class Warnings(InAFolder):
             for ranks in (1, 2):
                 with self.subTest(cells=cells, ranks=ranks):
                     said = self.reduce("-mesh", f"box:1,.2,.1/{cells}", "-material_young", "1e9", "-material_density",
-                                       "1000", *PART, ranks=ranks).stderr
+                                       "1000", *PART, ranks=ranks).err
                     self.assertEqual(len(said.splitlines()), 1, said)
                     self.assertIn("too high", said)
                     self.assertIn("tet10", said)
@@ -37,15 +37,15 @@ class Warnings(InAFolder):
     def test_what_was_said_of_a_basis_is_said_again_where_it_is_reused(self):
         words = ["-mesh", "box:1,.2,.1/8,2,1/hex8", "-material_young", "1e9", "-material_density", "1000", *PART,
                  "-derivatives", "2", "-basis", "3"]
-        first = self.reduce(*words, "-output", "first.h5").stderr
+        first = self.reduce(*words, "-output", "first.h5").err
         self.assertIn("too high", first)
-        self.assertEqual(self.reduce(*words, "-reuse", "first.h5").stderr, first)
+        self.assertEqual(self.reduce(*words, "-reuse", "first.h5").err, first)
 
     def test_a_body_that_nothing_holds(self):
-        free = self.reduce(*BOX, "-quiet").stderr
+        free = self.reduce(*BOX, "-quiet").err
         self.assertIn("nothing holds the body", free)
-        self.assertNotIn("nothing holds", self.reduce(*BOX, "-quiet", "-fix", "none").stderr)
-        self.assertNotIn("nothing holds", self.reduce(*BOX, "-quiet", "-fix", "xmin").stderr)
+        self.assertNotIn("nothing holds", self.reduce(*BOX, "-quiet", "-fix", "none").err)
+        self.assertNotIn("nothing holds", self.reduce(*BOX, "-quiet", "-fix", "xmin").err)
 
     def test_units_mixed_up(self):
         steel, in_megapascals = ("2.1e11", "7850"), ("2.1e5", "7.85e-9")
@@ -87,7 +87,7 @@ class Warnings(InAFolder):
 
     def test_size_mass_and_frequency_in_one_line(self):
         said = self.reduce("-mesh", "box:1,.2,.1/4,1,1/tet10", "-material_young", "1e6", "-material_density", "1000",
-                           *[word for word in PART if word != "-quiet"]).stdout
+                           *[word for word in PART if word != "-quiet"]).out
         self.assertRegex(said, r"size 1 x 0\.2 x 0\.1 m, mass 20 kg, first frequency 0\.5\d* Hz")
 
 

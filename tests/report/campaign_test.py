@@ -7,8 +7,8 @@ from pathlib import Path
 from types import SimpleNamespace
 from unittest import mock
 
-from support import row  # noqa: F401  (puts the package on the path)
-from report import campaign, programs, scenes, table
+import programs
+from report import campaign, scenes, table
 from report.methods import Form, plan
 from report.progress import Progress
 from report.scenes import Limits
@@ -101,23 +101,43 @@ class Campaigns(unittest.TestCase):
 
 
 class Programs(unittest.TestCase):
+    def bash(self, script):
+        return programs.measured("/bin/bash", "-c", script)
+
     def test_a_failure_carries_the_program_s_sentence(self):
-        words = ["-c", "echo warning: mind >&2; echo ritz-run: step 3 does not converge >&2; exit 1"]
-        with self.assertRaisesRegex(programs.Failed, "^ritz-run: step 3 does not converge$") as caught:
-            programs.run("/bin/bash", words)
+        said = "ritz-run: step 3 does not converge"
+        with self.assertRaisesRegex(programs.Failed, "^bash -c .*: exit code 1: ") as caught:
+            self.bash(f"echo warning: mind >&2; echo ritz-run: warning: mind >&2; echo {said} >&2; exit 1")
+        self.assertEqual(caught.exception.reason, said)
         self.assertGreater(caught.exception.seconds, 0)
 
     def test_a_failure_to_start_carries_the_launcher_s_sentence(self):
-        with self.assertRaisesRegex(programs.Failed, "^there are not enough slots$"):
-            programs.run("/bin/bash", ["-c", "echo ------; echo; echo there are not enough slots; echo ------; exit 1"])
+        with self.assertRaises(programs.Failed) as caught:
+            self.bash("{ echo ------; echo; echo there are not enough slots; echo ------; } >&2; exit 1")
+        self.assertEqual(caught.exception.reason, "there are not enough slots")
 
     def test_a_killed_program_fails_too(self):
         with self.assertRaises(programs.Failed):
-            programs.run("/bin/bash", ["-c", "kill -9 $$"])
+            self.bash("kill -9 $$")
+
+    def test_a_program_that_does_not_end_fails(self):
+        with self.assertRaisesRegex(programs.Failed, "^sleep did not end within 0.1 s$"):
+            programs.run("sleep", "60", limit=0.1)
+
+    def test_another_exit_code_may_be_wanted(self):
+        self.assertEqual(programs.run("/bin/bash", "-c", "exit 3", code=3).code, 3)
+        self.assertEqual(programs.run("/bin/bash", "-c", "exit 3", code=None).code, 3)
+        with self.assertRaises(programs.Failed):
+            programs.run("true", code=3)
+
+    def test_variables(self):
+        shown = "echo $OMP_NUM_THREADS-$MORE"
+        self.assertEqual(programs.run("/bin/bash", "-c", shown, environment={"MORE": "5"}).out, "1-5\n")
+        self.assertEqual(programs.run("/bin/bash", "-c", shown, environment={"OMP_NUM_THREADS": None}).out, "-\n")
 
     def test_seconds_and_memory(self):
-        done = programs.run("/bin/bash", ["-c", "echo 'run  1.25 s'"])
-        self.assertEqual(done.text, "run  1.25 s\n")
+        done = self.bash("echo 'run  1.25 s'")
+        self.assertEqual(done.out, "run  1.25 s\n")
         self.assertGreater(done.seconds, 0)
         self.assertGreater(done.memory, 1e5)
 

@@ -2,7 +2,6 @@
 import unittest
 from pathlib import Path
 
-import support  # noqa: F401  (finds the scripts)
 import doc_tables
 from report import lean, scenes
 from stability import table as stability

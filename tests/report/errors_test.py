@@ -8,7 +8,6 @@ from pathlib import Path
 import numpy as np
 import scipy.sparse
 
-from support import row  # noqa: F401  (puts the package on the path)
 from report import body, errors
 
 TIMES = np.linspace(0, 4 * math.pi, 2001)  # two whole periods

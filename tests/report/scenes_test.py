@@ -6,7 +6,6 @@ import tomllib
 import unittest
 from pathlib import Path
 
-from support import row  # noqa: F401  (puts the package on the path)
 from report import meshes, scenes
 from report.methods import BY_NAME, FORMS, METHODS, Knobs, Run, key_of, plan
 from report.scenes import Limits

@@ -1,10 +1,5 @@
-"""Finds the package that is tested, and makes rows of its table."""
-import sys
-from pathlib import Path
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
-
-from report import table  # noqa: E402
+"""Rows of the report's table."""
+from report import table
 
 
 def row(**values):

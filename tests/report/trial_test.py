@@ -8,7 +8,6 @@ from pathlib import Path
 from types import SimpleNamespace
 from unittest import mock
 
-from support import row  # noqa: F401  (puts the package on the path)
 from report import scenes, trial
 from report.bench import Bench
 from report.methods import plan, FORMS

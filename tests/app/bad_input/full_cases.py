@@ -1,12 +1,8 @@
 """What ritz-full refuses: scenes at odds with the mesh or with what the full model can do, and its own options."""
-import subprocess
-import tempfile
-from pathlib import Path
-
 import h5py
 import numpy as np
 
-from runner import BIN, Case
+from runner import Case, written
 
 WORDS = ["-mesh", "box:1,1,1/2,1,1/tet4", "-material_young", "1e6", "-material_poisson", ".3", "-material_density",
          "1000", "-fix", "xmin"]
@@ -19,14 +15,7 @@ def bad(name, scene, *says, words=(), code=2, files=None):
                 {"scene.toml": scene} | (files or {}), "ritz-full", code=code)
 
 
-def make_motion():
-    with tempfile.TemporaryDirectory() as folder:
-        (Path(folder) / "scene.toml").write_text(TIME + LOAD)
-        subprocess.run([BIN / "ritz-full", *WORDS, "-scene", "scene.toml"], cwd=folder, check=True, capture_output=True)
-        return (Path(folder) / "full.h5").read_bytes()
-
-
-MOTION = make_motion()
+MOTION = written("full.h5", "ritz-full", *WORDS, "-scene", "scene.toml", files={"scene.toml": TIME + LOAD})
 
 
 def restart(name, change, *says):

@@ -1,13 +1,9 @@
 """Models that are none, or no longer, as ritz-run, ritz-inspect and -reuse meet them."""
-import subprocess
-import tempfile
-from pathlib import Path
-
 import h5py
 import numpy as np
 
 from option_cases import WHOLE
-from runner import BIN, Case
+from runner import Case, written
 
 SCENE = """
 [time]
@@ -19,13 +15,7 @@ total = [0, 0, 1]
 """
 
 
-def make_model():
-    with tempfile.TemporaryDirectory() as folder:
-        subprocess.run(["mpirun", "-n", "2", BIN / "ritz-reduce", *WHOLE], cwd=folder, check=True, capture_output=True)
-        return (Path(folder) / "model.h5").read_bytes()
-
-
-MODEL = make_model()
+MODEL = written("model.h5", "ritz-reduce", *WHOLE)
 
 
 def changed(change):

@@ -1,15 +1,12 @@
 """One row of the table: files, a command line, and what the program must answer."""
-import os
 import re
-import subprocess
 import tempfile
-import time
 from dataclasses import dataclass, field
 from pathlib import Path
 
-BIN = Path(os.environ["RITZ_BIN"])
-# What mpirun says of a non-zero exit, and MPI's files of a write that fails.
-BOILERPLATE = re.compile(r"^-{60,}\n.*?^-{60,}\n|^mca_[^\n]*\n", re.M | re.S)
+from bench import Bench
+from program import BIN, sentences
+from programs import PARALLEL, Failed
 
 
 @dataclass
@@ -29,19 +26,8 @@ EACH_RANK = """codes=$1; shift; "$@"; code=$?; echo $code >"$codes/$OMPI_COMM_WO
 until [ -s "$codes/0" ] && [ -s "$codes/1" ] || [ $tries = 200 ]; do sleep .03; tries=$((tries + 1)); done; exit $code"""
 
 
-def is_parallel(case):
-    return case.program in ("ritz-reduce", "ritz-full")
-
-
-def command(case, codes):
-    program = [str(BIN / case.program), *map(str, case.words)]
-    if is_parallel(case):
-        return ["mpirun", "-n", str(RANKS), "sh", "-c", EACH_RANK, "sh", codes, *program]
-    return program
-
-
-def write_files(case, folder):
-    for name, content in case.files.items():
+def write_files(files, folder):
+    for name, content in files.items():
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
         if callable(content):
@@ -57,16 +43,11 @@ def contents(folder):
             for path in files}
 
 
-def sentences(stderr):
-    lines = BOILERPLATE.sub("", stderr).splitlines()
-    return [line for line in lines if line.strip() and not line.startswith("warning: ")]
-
-
 def complaints_about(case, result, codes, before, after):
     """What is wrong with the answer, in words; nothing when it is right."""
-    if result.returncode != case.code or codes != [case.code] * (RANKS if is_parallel(case) else 0):
-        yield f"exit code {result.returncode}, of the ranks {codes}, in place of {case.code}"
-    said = sentences(result.stderr)
+    if result.code != case.code or codes != [case.code] * (RANKS if case.program in PARALLEL else 0):
+        yield f"exit code {result.code}, of the ranks {codes}, in place of {case.code}"
+    said = sentences(result.err)
     if len(said) != (0 if case.code == 0 else 1):
         yield f"{len(said)} lines on stderr"
     if case.code != 0 and said and not re.match(rf"{case.program}: \S.*[^.\s]$", said[0]):
@@ -74,7 +55,7 @@ def complaints_about(case, result, codes, before, after):
     for piece in case.says:
         if piece not in " ".join(said):
             yield f"the sentence lacks '{piece}'"
-    if re.search(r"PETSC ERROR|Traceback|HDF5-DIAG|terminate called|\[\d+\]", result.stderr):
+    if re.search(r"PETSC ERROR|Traceback|HDF5-DIAG|terminate called|\[\d+\]", result.err):
         yield "a stack trace"
     new = set(after) - set(before)
     if new != case.leaves:
@@ -93,14 +74,23 @@ class Answer:
 
 def run(case):
     with tempfile.TemporaryDirectory() as temporary, tempfile.TemporaryDirectory() as codes:
-        folder = Path(temporary)
-        write_files(case, folder)
-        before = contents(folder)
-        start = time.monotonic()
+        bench = Bench(BIN, temporary, limit=60)
+        write_files(case.files, bench.folder)
+        before = contents(bench.folder)
+        each = ["sh", "-c", EACH_RANK, "sh", codes] if case.program in PARALLEL else []
         try:
-            result = subprocess.run(command(case, codes), cwd=folder, capture_output=True, text=True, timeout=60)
-        except subprocess.TimeoutExpired:
+            result = bench.run(case.program, *case.words, ranks=RANKS, under=each, code=None)
+        except Failed:
             return Answer(["hangs"])
-        seconds = time.monotonic() - start
         ended = [int(text) for path in Path(codes).iterdir() if (text := path.read_text())]
-        return Answer(list(complaints_about(case, result, ended, before, contents(folder))), result.stderr, seconds)
+        found = complaints_about(case, result, ended, before, contents(bench.folder))
+        return Answer(list(found), result.err, result.seconds)
+
+
+def written(name, program, *words, files=()):
+    """The bytes of a file that a program makes of these words."""
+    with tempfile.TemporaryDirectory() as temporary:
+        bench = Bench(BIN, temporary, limit=60)
+        write_files(dict(files), bench.folder)
+        bench.run(program, *words)
+        return (bench.folder / name).read_bytes()
