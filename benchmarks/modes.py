@@ -9,24 +9,22 @@ points, so they agree to a few 1e-3 only. Beside them, what -plan promises of bo
 """
 import argparse
 import csv
-import json
-import os
 import pathlib
 import re
 import shutil
-import subprocess
 import sys
 import tempfile
-import time
 
 import h5py
 import numpy as np
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "scripts"))
+
+import programs  # noqa: E402
+from bench import Bench  # noqa: E402
+
 MATERIAL = dict(young=1e9, poisson=0.3, density=1000.0)
 MODES = 20
-ENVIRONMENT = dict(os.environ, OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1",
-                   OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_btl_vader_single_copy_mechanism="none",
-                   OMPI_MCA_rmaps_base_oversubscribe="1")
 
 
 def grid(cells, unknowns):
@@ -36,25 +34,13 @@ def grid(cells, unknowns):
     return f"box:4,1,1/{4 * n},{n},{n}/{cells}"
 
 
-def timed(command, folder, limit):
-    """Seconds on the wall, or None when it took longer than `limit`."""
-    start = time.perf_counter()
-    try:
-        done = subprocess.run(command, cwd=folder, env=ENVIRONMENT, capture_output=True, text=True, timeout=limit)
-    except subprocess.TimeoutExpired:
-        return None
-    if done.returncode != 0:
-        sys.exit(f"{' '.join(map(str, command))} failed:\n{done.stdout}{done.stderr}")
-    return time.perf_counter() - start
-
-
-def reduce(binary, mesh, ranks, folder):
-    command = ["mpirun", "-n", str(ranks), binary, "-mesh", mesh, "-fix", "xmin", "-modes", str(MODES),
-               "-output", "model.h5", "-summary", "summary.json"] + [w for k, v in MATERIAL.items() for w in (f"-material_{k}", str(v))]
-    timed([*command, "-plan"], folder, None)
-    plan = json.loads((folder / "summary.json").read_text())["plan"]
-    seconds = timed(command, folder, None)
-    summary = json.loads((folder / "summary.json").read_text())
+def reduce(bench, mesh, ranks):
+    words = ["-mesh", mesh, "-fix", "xmin", "-modes", MODES, "-output", "model.h5", "-summary", "summary.json",
+             *(word for name, value in MATERIAL.items() for word in (f"-material_{name}", value))]
+    bench.reduce(*words, "-plan", ranks=ranks)
+    plan = bench.summary("summary.json")["plan"]
+    seconds = bench.reduce(*words, ranks=ranks).seconds
+    summary = bench.summary("summary.json")
     return dict(seconds=seconds, memory=summary["memory"]["all_ranks"] / 1e9,
                 stages={row["stage"]: row["seconds"] for row in summary["stages"]},
                 frequencies=summary["modes"]["frequency_hz"],
@@ -81,21 +67,18 @@ def write_inp(folder):
 
 
 def calculix(folder, limit):
+    """Nothing where it is not installed, or takes longer than `limit`."""
     ccx = shutil.which("ccx")
     if not ccx:
         return None
     write_inp(folder)
-    seconds = timed([sys.executable, "-c", CHILD, ccx, "beam"], folder, limit)
-    if seconds is None:
+    try:
+        ran = programs.measured(ccx, "-i", "beam", folder=folder, limit=limit)
+    except programs.Failed as failure:
+        print(f"{failure.reason}; it is left out", flush=True)
         return None
-    memory = float((folder / "memory").read_text()) * 1024 / 1e9
     table = re.findall(r"^ +\d+ +\S+ +\S+ +(\S+) +0\.0000000E\+00$", (folder / "beam.dat").read_text(), re.M)
-    return dict(seconds=seconds, memory=memory, frequencies=[float(f) for f in table])
-
-
-# Runs ccx and leaves its own peak memory (kB) in a file.
-CHILD = ("import resource,subprocess,sys;subprocess.run([sys.argv[1],'-i',sys.argv[2]],check=True,"
-         "stdout=subprocess.DEVNULL);open('memory','w').write(str(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss))")
+    return dict(seconds=ran.seconds, memory=ran.memory / 1e9, frequencies=[float(f) for f in table])
 
 
 def main():
@@ -106,7 +89,6 @@ def main():
     parser.add_argument("--limit", default=600, type=float, help="seconds that ccx may take")
     parser.add_argument("--csv", type=pathlib.Path)
     args = parser.parse_args()
-    binary = (args.bin / "ritz-reduce").resolve()
     rows = []
     print(f"{'mesh':34} {'program':10} {'seconds':>8} {'GB':>6} {'ccx/this':>9} {'memory/ccx':>10} {'assembly s':>10} "
           f"{'plan s':>8} {'/this':>6} {'plan GB':>8} {'/this':>6}")
@@ -114,9 +96,9 @@ def main():
         for size in map(int, args.sizes.split(",")):
             mesh = grid(cells, size)
             with tempfile.TemporaryDirectory() as name:
-                folder = pathlib.Path(name)
-                runs = {f"{n} rank{'s' * (n > 1)}": reduce(binary, mesh, n, folder) for n in (1, 2)}
-                peer = calculix(folder, args.limit)
+                bench = Bench(args.bin.resolve(), name, limit=None)
+                runs = {f"{n} rank{'s' * (n > 1)}": reduce(bench, mesh, n) for n in (1, 2)}
+                peer = calculix(bench.folder, args.limit)
             for program, run in {**runs, **({"ccx": peer} if peer else {})}.items():
                 speed = peer["seconds"] / run["seconds"] if peer else float("nan")
                 memory = run["memory"] / peer["memory"] if peer else float("nan")
@@ -142,4 +124,7 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except programs.Failed as failure:
+        sys.exit(str(failure))

@@ -8,39 +8,31 @@ ranks. The same with 10 modes' 55 derivatives says what the other 155 cost: stre
 modes' seconds are what the rest is measured against, and -plan's promises are held against what came.
 """
 import argparse
-import json
-import os
 import pathlib
-import subprocess
 import sys
 import tempfile
-import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "scripts"))
+
+from bench import Bench  # noqa: E402
+from programs import Failed  # noqa: E402
 
 BEAM = ["-mesh", "box:0.3,0.3,1/24,24,80/tet4", "-fix", "zmin", "-material_young", "1e7", "-material_poisson", ".45",
         "-material_density", "1000", "-modes", "20", "-basis", "30", "-polynomial"]
-ENVIRONMENT = dict(os.environ, OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1",
-                   OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_btl_vader_single_copy_mechanism="none",
-                   OMPI_MCA_rmaps_base_oversubscribe="1")
 WHOLE, AFTER, MEMORY = 60.0, 20.0, 4.0  # the bars: s, s, GB
 
 
-def run(binary, ranks, derivatives):
+def run(where, ranks, derivatives):
     """Seconds of the whole program and of each stage, GB over all ranks; GB and seconds that -plan promises."""
-    command = ["mpirun", "-n", str(ranks), binary, *BEAM, "-derivatives", str(derivatives)]
+    words = [*BEAM, "-derivatives", derivatives, "-summary", "summary.json"]
     with tempfile.TemporaryDirectory() as folder:
-        plan = summary([*command, "-plan"], folder)["plan"]
-        start = time.perf_counter()
-        whole = summary(command, folder)
-        seconds = time.perf_counter() - start
+        bench = Bench(where, folder, limit=None)
+        bench.reduce(*words, "-plan", ranks=ranks)
+        plan = bench.summary("summary.json")["plan"]
+        seconds = bench.reduce(*words, ranks=ranks).seconds
+        whole = bench.summary("summary.json")
     stages = [(row["stage"], row["seconds"]) for row in whole["stages"]]
     return seconds, stages, *(of["all_ranks"] / 1e9 for of in (whole["memory"], plan["memory"])), plan["seconds"]
-
-
-def summary(command, folder):
-    done = subprocess.run([*command, "-summary", "summary.json"], cwd=folder, env=ENVIRONMENT, capture_output=True, text=True)
-    if done.returncode != 0:
-        sys.exit(done.stdout + done.stderr)
-    return json.loads((pathlib.Path(folder) / "summary.json").read_text())
 
 
 def main():
@@ -49,8 +41,7 @@ def main():
     parser.add_argument("--ranks", default=2, type=int)
     args = parser.parse_args()
     for derivatives in (10, 20):
-        binary = (args.bin / "ritz-reduce").resolve()
-        seconds, stages, memory, plan_memory, plan_seconds = run(binary, args.ranks, derivatives)
+        seconds, stages, memory, plan_memory, plan_seconds = run(args.bin.resolve(), args.ranks, derivatives)
         names = [name for name, _ in stages]
         after = sum(s for _, s in stages[names.index("modes") + 1:])
         modes = stages[names.index("modes")][1]
@@ -64,4 +55,7 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except Failed as failure:
+        sys.exit(str(failure))

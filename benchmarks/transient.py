@@ -8,47 +8,33 @@ mass and the plain 2x2x2 rule, ALPHA=0. makes its scheme Newmark's average accel
 The load grows from 0, so that both start with no acceleration. Exit code 1 when they do not agree.
 """
 import argparse
-import os
 import pathlib
 import re
 import shutil
-import subprocess
 import sys
 import tempfile
-import time
 
-import h5py
 import numpy as np
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "scripts"))
+
+import programs  # noqa: E402
+from bench import Bench, material  # noqa: E402
 
 YOUNG, POISSON, DENSITY = 1e6, 0.3, 1000.0
 STEP, STEPS = 0.01, 200
 FORCE = (0.0, 1.5, -4.0)  # N in all, on the end
 TABLE = [[0, 0], [0.4, 1], [0.8, 1], [1.0, 0], [2.0, 0.5]]
 GATE = 1e-6
-ENVIRONMENT = dict(os.environ, OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1",
-                   OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_btl_vader_single_copy_mechanism="none",
-                   OMPI_MCA_rmaps_base_oversubscribe="1")
 
 
-def run(command, folder):
-    """Seconds on the wall."""
-    start = time.perf_counter()
-    done = subprocess.run(command, cwd=folder, env=ENVIRONMENT, capture_output=True, text=True)
-    if done.returncode != 0:
-        sys.exit(f"{' '.join(map(str, command))} failed:\n{done.stdout}{done.stderr}")
-    return time.perf_counter() - start
-
-
-def ritz(binary, args, folder):
-    (folder / "scene.toml").write_text(
-        f'[time]\nstep = {STEP}\nend = {STEP * STEPS}\nintegrator = "{args.integrator}"\n'
-        f'[[load]]\nset = "xmax"\ntotal = {list(FORCE)}\ntable = {TABLE}\n')
-    seconds = run(["mpirun", "-n", str(args.ranks), binary, "-mesh", f"box:1,.1,.1/{args.cells}/hex8", "-fix", "xmin",
-                   "-material_young", str(YOUNG), "-material_poisson", str(POISSON), "-material_density", str(DENSITY),
-                   "-scene", "scene.toml", "-every", "1", "-solver", "direct", "-output", "full.h5"], folder)
-    with h5py.File(folder / "full.h5") as file:
-        points, cells, u = file["points"][:], file["cells"][:].reshape(-1, 9)[:, 1:] + 1, file["displacement"][:]
-    return seconds, points, cells, u
+def ritz(bench, args):
+    bench.write("scene.toml", f'[time]\nstep = {STEP}\nend = {STEP * STEPS}\nintegrator = "{args.integrator}"\n'
+                              f'[[load]]\nset = "xmax"\ntotal = {list(FORCE)}\ntable = {TABLE}\n')
+    ran = bench.full("-mesh", f"box:1,.1,.1/{args.cells}/hex8", "-fix", "xmin", *material(YOUNG, POISSON, DENSITY),
+                     "-scene", "scene.toml", "-every", "1", "-solver", "direct", "-output", "full.h5", ranks=args.ranks)
+    points, cells, u = bench.read("full.h5", "points", "cells", "displacement")
+    return ran.seconds, points, cells.reshape(-1, 9)[:, 1:] + 1, u
 
 
 def write_inp(folder, points, cells):
@@ -73,7 +59,7 @@ def write_inp(folder, points, cells):
 
 def calculix(ccx, folder, points, cells):
     write_inp(folder, points, cells)
-    seconds = run([ccx, "-i", "beam"], folder)
+    seconds = programs.run(ccx, "-i", "beam", folder=folder).seconds
     text = (folder / "beam.dat").read_text()
     tables = re.split(r"displacements.*?time +\S+\n", text)[1:]
     rows = [np.array([line.split() for line in table.splitlines() if line.strip()], float) for table in tables]
@@ -91,9 +77,9 @@ def main():
     if not ccx:
         sys.exit("CalculiX (ccx) is not installed")
     with tempfile.TemporaryDirectory() as name:
-        folder = pathlib.Path(name)
-        ours, points, cells, u = ritz((args.bin / "ritz-full").resolve(), args, folder)
-        theirs, v = calculix(ccx, folder, points, cells)
+        bench = Bench(args.bin.resolve(), name, limit=None)
+        ours, points, cells, u = ritz(bench, args)
+        theirs, v = calculix(ccx, bench.folder, points, cells)
     if len(v) != STEPS or not np.isfinite(u).all():
         sys.exit(f"CalculiX reached {len(v)} of {STEPS} steps")
     difference = np.abs(u[1:] - v).max(axis=(1, 2)) / np.abs(v).max()
@@ -104,4 +90,7 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    try:
+        sys.exit(main())
+    except programs.Failed as failure:
+        sys.exit(str(failure))
