@@ -1,6 +1,4 @@
 """The examples do what they say: compared with ritz-run, with each other, and with the programs' own figures."""
-import os
-import subprocess
 import sys
 import tempfile
 import unittest
@@ -9,7 +7,10 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-BIN = Path(os.environ["RITZ_BIN"])
+import programs
+from bench import Bench
+from program import BIN
+
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 PROBLEM = ("-mesh box:1,.1,.1/10,1,1/tet4 -fix xmin -material_young 1e6 -material_poisson .3 -material_density 1000 "
            "-modes 3 -derivatives 3 -basis 6 -polynomial -quiet").split()
@@ -29,16 +30,17 @@ vertex = {vertex}
 
 
 def output(*words):
-    return subprocess.run([str(word) for word in words], capture_output=True, text=True, check=True, timeout=200).stdout
+    return programs.run(*words, limit=200).out
 
 
 class Examples(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.temporary = tempfile.TemporaryDirectory()
-        cls.folder = Path(cls.temporary.name)
+        cls.bench = Bench(BIN, cls.temporary.name, limit=200)
+        cls.folder = cls.bench.folder
         cls.model = cls.folder / "model.h5"
-        output(BIN / "ritz-reduce", *PROBLEM, "-output", cls.model)
+        cls.bench.reduce(*PROBLEM, "-output", cls.model, ranks=0)
         with h5py.File(cls.model) as file:
             geometry = file["bodies/body/geometry"]
             cls.vertex = int(geometry["vertex_ids"][np.argmax(geometry["points"][:, 0])])
@@ -48,9 +50,9 @@ class Examples(unittest.TestCase):
         cls.temporary.cleanup()
 
     def test_push_moves_as_ritz_run_does(self):
-        (self.folder / "scene.toml").write_text(PULL.format(vertex=self.vertex))
-        output(BIN / "ritz-run", self.model, "--scene", self.folder / "scene.toml", "--output", self.folder / "motion.h5")
-        there = np.loadtxt(self.folder / "probes.csv", delimiter=",", skiprows=1)[1:]
+        self.bench.write("scene.toml", PULL.format(vertex=self.vertex))
+        self.bench.move(self.model, "--scene", "scene.toml", "--output", "motion.h5")
+        there = self.bench.table("probes.csv")[1][1:]
         here = np.array([line.split() for line in output(BIN / "example_push", self.model, self.vertex).splitlines()],
                         float)
         self.assertEqual(here.shape, (200, 4))
@@ -58,9 +60,7 @@ class Examples(unittest.TestCase):
         self.assertGreater(np.abs(here[:, 3]).max(), 1e-3)
 
     def test_push_names_a_vertex_that_is_not_there(self):
-        done = subprocess.run([BIN / "example_push", self.model, "123456"], capture_output=True, text=True)
-        self.assertEqual(done.returncode, 2)
-        self.assertIn("123456", done.stderr)
+        self.assertIn("123456", self.bench.run("example_push", self.model, "123456", code=2).err)
 
     def test_sixteen_bodies_move_each_by_its_own_force(self):
         ways = [float(line.split()[2]) for line in output(BIN / "example_sixteen", self.model, self.vertex).splitlines()]

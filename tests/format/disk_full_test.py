@@ -1,10 +1,12 @@
 """A disk that fills up at any moment of writing costs one sentence and leaves the previous model as it was."""
 import os
-import subprocess
 import sys
 import tempfile
 
-WRITE = os.path.join(os.environ["RITZ_BIN"], "write_sample_model")
+import programs
+from program import BIN
+
+WRITE = BIN / "write_sample_model"
 SCRIPT = """
 mount -t tmpfs -o size={size}k tmpfs "$1" && cd "$1" && echo mounted || exit
 "$0" model.h5 && "$0" model.h5 {notes}
@@ -16,16 +18,16 @@ cmp model.h5 "$2"
 
 def fill(size, notes, reference):
     with tempfile.TemporaryDirectory() as folder:
-        shell = ["unshare", "-rm", "sh", "-c", SCRIPT.format(size=size, notes=notes), WRITE, folder, reference]
-        run = subprocess.run(shell, capture_output=True, text=True)
-    if "mounted" not in run.stdout:
+        words = ["-rm", "sh", "-c", SCRIPT.format(size=size, notes=notes), WRITE, folder, reference]
+        ran = programs.run("unshare", *words, code=None)
+    if "mounted" not in ran.out:
         sys.exit(77)
-    return run.stdout.split("\n")[1:-1], run.stderr
+    return ran.out.split("\n")[1:-1], ran.err
 
 
 with tempfile.TemporaryDirectory() as folder:
     reference = os.path.join(folder, "reference.h5")
-    subprocess.run([WRITE, reference], check=True)
+    programs.run(WRITE, reference)
     for size in (1060, 1200, 2000, 3900, *range(3912, 3940, 4), 6000):
         lines, errors = fill(size, 200000, reference)
         if lines[0] == "exit 1":

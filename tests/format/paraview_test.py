@@ -1,8 +1,10 @@
 """A model as ParaView sees it: VTK's own reader finds the grid and the modes as point vectors."""
 import os
-import subprocess
 import sys
 import tempfile
+
+import programs
+from program import BIN
 
 try:
     from vtkmodules.vtkIOHDF import vtkHDFReader
@@ -11,7 +13,7 @@ except ImportError:
 
 with tempfile.TemporaryDirectory() as folder:
     path = os.path.join(folder, "model.h5")
-    subprocess.run([os.path.join(os.environ["RITZ_BIN"], "write_sample_model"), path], check=True)
+    programs.run(BIN / "write_sample_model", path)
     reader = vtkHDFReader()
     reader.SetFileName(os.path.join(folder, "model.vtkhdf"))
     reader.Update()
@@ -24,7 +26,7 @@ with tempfile.TemporaryDirectory() as folder:
     assert vectors.GetArray("mode_0002").GetTuple(0) == (0, 0, 0)
 
     # Of two bodies each has a file of its own; the one named after the model shows the first.
-    subprocess.run([os.path.join(os.environ["RITZ_BIN"], "write_sample_model"), path, "two-bodies"], check=True)
+    programs.run(BIN / "write_sample_model", path, "two-bodies")
     for name, x in ("model", 0), ("model.body", 0), ("model.arm%2Fupper", 5):
         reader = vtkHDFReader()
         reader.SetFileName(os.path.join(folder, name + ".vtkhdf"))

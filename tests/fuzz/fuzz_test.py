@@ -1,19 +1,19 @@
 """The driver finds what is planted in fuzz_planted, says it, and leaves the input that did it."""
-import os
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
+import programs
+from program import BIN
+
 HERE = Path(__file__).parent
-DRIVER = Path(os.environ["RITZ_BIN"]) / "fuzz_planted"
 
 
 def run(folder, *words):
     left = folder / "left"
     left.unlink(missing_ok=True)
-    done = subprocess.run([DRIVER, "--each", "3", "--left", left, *words], cwd=folder, capture_output=True, text=True)
-    return done.returncode, done.stderr, left.read_bytes() if left.exists() else None
+    ran = programs.run(BIN / "fuzz_planted", "--each", "3", "--left", left, *words, folder=folder, code=None)
+    return ran.code, ran.err, left.read_bytes() if left.exists() else None
 
 
 def check(holds, what):

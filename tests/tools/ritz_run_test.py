@@ -1,19 +1,15 @@
 """ritz-run as a program: exit codes, one sentence on stderr, no leftovers, and files that others can read."""
-import json
-import os
 import resource
 import signal
-import subprocess
 import sys
-import tempfile
 import unittest
 import xml.etree.ElementTree as xml
-from pathlib import Path
 
 import h5py
 import numpy as np
 
-BIN = Path(os.environ["RITZ_BIN"])
+from program import InAFolder
+
 SCENE = """
 [time]
 step = 0.1
@@ -27,41 +23,36 @@ set = "tip"
 """
 
 
-class RitzRun(unittest.TestCase):
+class RitzRun(InAFolder):
     def setUp(self):
-        self.temporary = tempfile.TemporaryDirectory()
-        self.folder = Path(self.temporary.name)
-        subprocess.run([BIN / "write_sample_model", self.folder / "model.h5"], check=True)
-        (self.folder / "scene.toml").write_text(SCENE)
-        self.inputs = {path.name for path in self.folder.iterdir()}
-
-    def tearDown(self):
-        self.temporary.cleanup()
+        super().setUp()
+        self.bench.run("write_sample_model", "model.h5")
+        self.write("scene.toml", SCENE)
+        self.inputs = self.files()
 
     def run_it(self, *words, **how):
-        return subprocess.run([BIN / "ritz-run", *words], cwd=self.folder, capture_output=True, text=True, timeout=60,
-                              **how)
+        return self.move(*words, code=None, **how)
 
     def outputs(self):
-        return {path.name for path in self.folder.iterdir()} - self.inputs
+        return self.files() - self.inputs
 
     def refused(self, result, code, complaint):
-        self.assertEqual(result.returncode, code, result.stderr)
-        self.assertIn(complaint, result.stderr)
-        self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
-        self.assertEqual(result.stdout, "")
+        self.assertEqual(result.code, code, result.err)
+        self.assertIn(complaint, result.err)
+        self.assertEqual(len(result.err.strip().splitlines()), 1, result.err)
+        self.assertEqual(result.out, "")
         self.assertEqual(self.outputs(), set())
 
     def test_the_summary_says_what_is_printed(self):
-        (self.folder / "scene.toml").write_text(SCENE + "[damping]\nratio = 2\n")
+        self.write("scene.toml", SCENE + "[damping]\nratio = 2\n")
         result = self.run_it("model.h5", "--scene", "scene.toml", "--summary", "summary.json")
-        self.assertEqual(result.returncode, 0, result.stderr)
-        said = json.loads((self.folder / "summary.json").read_text())
+        self.assertEqual(result.code, 0, result.err)
+        said = self.bench.summary("summary.json")
         self.assertEqual((said["program"], said["integrator"], said["steps"]), ("ritz-run", "exact", 20))
-        self.assertIn(f"20 steps of {said['coordinates']} coordinates", result.stdout)
-        self.assertIn(f"{said['frames']} frames", result.stdout)
+        self.assertIn(f"20 steps of {said['coordinates']} coordinates", result.out)
+        self.assertIn(f"{said['frames']} frames", result.out)
         self.assertEqual(said["energy"], None)
-        self.assertEqual(["ritz-run: warning: " + text for text in said["warnings"]], result.stderr.splitlines())
+        self.assertEqual(["ritz-run: warning: " + text for text in said["warnings"]], result.err.splitlines())
 
     def test_a_summary_that_cannot_be_written_costs_nothing_else(self):
         self.refused(self.run_it("model.h5", "--scene", "scene.toml", "--summary", "nowhere/summary.json"), 2, "nowhere")
@@ -71,28 +62,28 @@ class RitzRun(unittest.TestCase):
     def test_an_overdamped_ratio_is_warned_of(self):
         for ratio, warned in (("2", True), ("[0.02, 1]", True), ("0.02", False)):
             with self.subTest(ratio=ratio):
-                (self.folder / "scene.toml").write_text(SCENE + f"[damping]\nratio = {ratio}\n")
+                self.write("scene.toml", SCENE + f"[damping]\nratio = {ratio}\n")
                 result = self.run_it("model.h5", "--scene", "scene.toml", "--quiet")
-                self.assertEqual(result.returncode, 0, result.stderr)
-                self.assertEqual(len(result.stderr.splitlines()), 1 if warned else 0, result.stderr)
-                self.assertEqual("overdamped" in result.stderr, warned)
+                self.assertEqual(result.code, 0, result.err)
+                self.assertEqual(len(result.err.splitlines()), 1 if warned else 0, result.err)
+                self.assertEqual("overdamped" in result.err, warned)
 
     def test_runs(self):
         result = self.run_it("model.h5", "--scene", "scene.toml")
-        self.assertEqual((result.returncode, result.stderr), (0, ""))
-        self.assertEqual(len(result.stdout.splitlines()), 1)
-        self.assertNotIn("\r", result.stdout)
+        self.assertEqual((result.code, result.err), (0, ""))
+        self.assertEqual(len(result.out.splitlines()), 1)
+        self.assertNotIn("\r", result.out)
         self.assertEqual(self.outputs(), {"motion.h5", "motion.xdmf", "probes.csv"})
         rows = np.loadtxt(self.folder / "probes.csv", delimiter=",", skiprows=1)
         np.testing.assert_allclose(rows[:, 3], 1 - np.cos(3 * rows[:, 0]), atol=1e-13)
 
     def test_help(self):
         result = self.run_it("--help")
-        self.assertEqual((result.returncode, result.stderr), (0, ""))
-        self.assertIn("--animate-mode", result.stdout)
+        self.assertEqual((result.code, result.err), (0, ""))
+        self.assertIn("--animate-mode", result.out)
 
     def test_quiet(self):
-        self.assertEqual(self.run_it("model.h5", "--scene", "scene.toml", "--quiet").stdout, "")
+        self.assertEqual(self.run_it("model.h5", "--scene", "scene.toml", "--quiet").out, "")
 
     def test_bad_input(self):
         run = lambda *words: self.run_it("model.h5", *words)
@@ -101,10 +92,10 @@ class RitzRun(unittest.TestCase):
         self.refused(run("--animate-mode", "9"), 2, "--animate-mode is 1 to 2")
         self.refused(self.run_it("nothing.h5", "--scene", "scene.toml"), 2, "nothing.h5")
         self.refused(self.run_it("scene.toml", "--scene", "scene.toml"), 2, "scene.toml")
-        (self.folder / "scene.toml").write_text(SCENE.replace('"tip"\ntotal', '"tap"\ntotal'))
+        self.write("scene.toml", SCENE.replace('"tip"\ntotal', '"tap"\ntotal'))
         self.refused(run("--scene", "scene.toml"), 2, "did you mean 'tip'?")
-        (self.folder / "scene.toml").write_text(SCENE.replace("18", "1e308") + "[damping]\nalpha = 1e308\n")
-        (self.folder / "scene.toml").write_text(SCENE.replace("[0, 0, 18]", "[0, 0, 1e308]\ntable = [[0, 1e10]]"))
+        self.write("scene.toml", SCENE.replace("18", "1e308") + "[damping]\nalpha = 1e308\n")
+        self.write("scene.toml", SCENE.replace("[0, 0, 18]", "[0, 0, 1e308]\ntable = [[0, 1e10]]"))
         self.refused(run("--scene", "scene.toml"), 1, "not finite")
 
     def test_full_disk(self):
