@@ -10,9 +10,9 @@ import numpy as np
 
 from mesh_file import write_shuffled_beam
 from program import InAFolder
+from stability.repeated import clusters, largest_sine
 
 MATERIAL = ["-material_young", "1e6", "-material_poisson", ".3", "-material_density", "1000", "-quiet"]
-CLUSTER = 1e-6
 RANKS = (2, 3, 5, 8)
 
 
@@ -36,23 +36,11 @@ def flat_columns(body, rows=slice(None)):
     return np.stack([body["basis/columns"][name][rows].ravel() for name in sorted(body["basis/columns"])], axis=-1)
 
 
-def clusters(values):
-    """Half-open ranges of indices whose neighbours agree."""
-    ends = [i for i in range(1, len(values)) if values[i] - values[i - 1] > CLUSTER * values[i]] + [len(values)]
-    return list(zip([0] + ends[:-1], ends))
-
-
 def gap(values, begin, end, beyond):
     """The distance of a cluster from its neighbours, relative to itself."""
     below = values[begin] - values[begin - 1] if begin > 0 else np.inf
     above = (values[end] if end < len(values) else beyond) - values[end - 1]
     return min(below, above) / values[end - 1]
-
-
-def largest_sine(a, b):
-    """Between the spans of the columns."""
-    qa, qb = np.linalg.qr(a)[0], np.linalg.qr(b)[0]
-    return np.linalg.norm(qb - qa @ (qa.T @ qb), 2)
 
 
 def span_gate(body, gates=DIRECT):
