@@ -96,7 +96,7 @@ def main():
         for size in map(int, args.sizes.split(",")):
             mesh = grid(cells, size)
             with tempfile.TemporaryDirectory() as name:
-                bench = Bench(args.bin.resolve(), name, limit=None)
+                bench = Bench(args.bin, name, limit=None)
                 runs = {f"{n} rank{'s' * (n > 1)}": reduce(bench, mesh, n) for n in (1, 2)}
                 peer = calculix(bench.folder, args.limit)
             for program, run in {**runs, **({"ccx": peer} if peer else {})}.items():

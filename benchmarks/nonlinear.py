@@ -41,7 +41,7 @@ def main():
     parser.add_argument("--ranks", default=2, type=int)
     args = parser.parse_args()
     for derivatives in (10, 20):
-        seconds, stages, memory, plan_memory, plan_seconds = run(args.bin.resolve(), args.ranks, derivatives)
+        seconds, stages, memory, plan_memory, plan_seconds = run(args.bin, args.ranks, derivatives)
         names = [name for name, _ in stages]
         after = sum(s for _, s in stages[names.index("modes") + 1:])
         modes = stages[names.index("modes")][1]

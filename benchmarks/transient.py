@@ -77,7 +77,7 @@ def main():
     if not ccx:
         sys.exit("CalculiX (ccx) is not installed")
     with tempfile.TemporaryDirectory() as name:
-        bench = Bench(args.bin.resolve(), name, limit=None)
+        bench = Bench(args.bin, name, limit=None)
         ours, points, cells, u = ritz(bench, args)
         theirs, v = calculix(ccx, bench.folder, points, cells)
     if len(v) != STEPS or not np.isfinite(u).all():

@@ -53,7 +53,7 @@ def report_of(file):
 
 class Bench:
     def __init__(self, where, folder, limit=3600):
-        self.programs, self.folder, self.limit = Path(where), Path(folder), limit
+        self.programs, self.folder, self.limit = Path(where).resolve(), Path(folder), limit
 
     def start(self, program, *words, **how):
         """A process; `how`: of `launched` and of programs.start."""

@@ -81,8 +81,8 @@ def run(program, *words, code=0, limit=None, **how):
             raise
     ran = Ran(name, process.returncode, out, err, time.perf_counter() - began)
     if code is not None and ran.code != code:
-        raise Failed(ran.reason, ran.seconds, f"{shlex.join([name, *map(str, words)])}: exit code {ran.code}: "
-                                              f"{ran.sentence or ran.err[-300:]}")
+        said = ran.sentence or ran.err[-300:] or ran.out[-300:]
+        raise Failed(ran.reason, ran.seconds, f"{shlex.join([name, *map(str, words)])}: exit code {ran.code}: {said}")
     return ran
 
 

@@ -26,13 +26,11 @@ def deck(kind="C3D8", comma="", supports="*BOUNDARY\nFIX, 1, 3\n", steps="*STEP\
 
 class Decks(InAFolder):
     def first(self, text, *words):
-        (self.folder / "m.inp").write_text(text)
-        self.said = self.reduce("-mesh", "m.inp", *UNITS, *words, ranks=1).err
+        self.said = self.reduce("-mesh", self.write("m.inp", text), *UNITS, *words, ranks=1).err
         return self.eigenvalues()[0]
 
     def refused(self, text, *words):
-        (self.folder / "m.inp").write_text(text)
-        return self.reduce("-mesh", "m.inp", *UNITS, *words, ranks=1, code=2).err
+        return self.reduce("-mesh", self.write("m.inp", text), *UNITS, *words, ranks=1, code=2).err
 
     def test_the_frequency_of_calculix(self):
         for supports, expected in zip(("FIX, 1, 3\n", "FIX, 1, 3\nTIP, 2, 3\n"), CALCULIX):

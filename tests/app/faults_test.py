@@ -50,7 +50,7 @@ class Faulty(Compared):
         for path in self.folder.glob("model.*"):
             path.unlink()
         for name, text in EARLIER.items():
-            (self.folder / name).write_text(text)
+            self.write(name, text)
 
     def start(self, words, program="ritz-reduce"):
         return self.bench.start(program, *words)
@@ -89,8 +89,8 @@ class Killed(Faulty):
         self.expect_same_span(one, other)
 
     def test_a_rank_of_the_full_model_dies(self):
-        (self.folder / "scene.toml").write_text(SWING)
-        (self.folder / "full.h5").write_text("an earlier motion")
+        self.write("scene.toml", SWING)
+        self.write("full.h5", "an earlier motion")
         waits = {"mesh": lambda process: None, "assemble": self.after("mesh"), "run": self.after("assemble")}
         for stage, wait in waits.items():
             with self.subTest(stage):
@@ -155,7 +155,7 @@ class Limited(Faulty):
                               environment=dict.fromkeys(programs.ONE_THREAD))
 
     def test_from_too_little_to_enough(self):
-        (self.folder / "scene.toml").write_text(SWING.replace("end = 1", "end = 0.04"))
+        self.write("scene.toml", SWING.replace("end = 1", "end = 0.04"))
         for program, words in (("ritz-reduce", MODES), ("ritz-full", [*FULL, "-quiet"])):
             for megabytes in (350, 420, 460, 480, 2000):
                 with self.subTest(program=program, megabytes=megabytes):
@@ -179,7 +179,7 @@ class Limited(Faulty):
 class Alone(Faulty):
     def test_a_rank_that_runs_out_of_memory_alone_takes_the_others_along(self):
         """Wherever it is, and whatever the others wait for, in Open MPI and in MUMPS too."""
-        (self.folder / "scene.toml").write_text(SWING)
+        self.write("scene.toml", SWING)
         said = ""
         grows = [*NONLINEAR, "-mesh", "box:1,.4,.3/16,8,6/tet10"]  # by more than is free after the assembly
         for program, words, stage in (("ritz-reduce", grows, "assemble"), ("ritz-reduce", NONLINEAR, "modes"),

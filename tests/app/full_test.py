@@ -118,7 +118,7 @@ class Files(Full):
             self.assertFalse(rows[:, 3].any())
 
     def test_shared_option_files(self):
-        (self.folder / "a.opts").write_text("-modes 5\n-surface_only\n-modes_eps_tol 1e-9\n-solver iterative\n")
+        self.write("a.opts", "-modes 5\n-surface_only\n-modes_eps_tol 1e-9\n-solver iterative\n")
         self.full(*BEAM, *self.scene(end=.04), "-options_file", "a.opts")
 
 

@@ -28,11 +28,11 @@ HOSTILE = [
 class Hostile(InAFolder):
     def setUp(self):
         super().setUp()
-        (self.folder / "evil").write_text("#!/bin/sh\ntouch MARKER\n")
+        self.write("evil", "#!/bin/sh\ntouch MARKER\n")
         (self.folder / "evil").chmod(0o700)
-        (self.folder / "evil.yaml").write_text("modes: 3\n")
-        (self.folder / "evil.py").write_text("open('MARKER', 'w')\n")
-        (self.folder / "sysconfig.py").write_text("open('MARKER', 'w')\n")
+        self.write("evil.yaml", "modes: 3\n")
+        self.write("evil.py", "open('MARKER', 'w')\n")
+        self.write("sysconfig.py", "open('MARKER', 'w')\n")
 
     def expect_one_sentence(self, result, before, *says):
         lines = result.err.splitlines()
@@ -44,7 +44,7 @@ class Hostile(InAFolder):
         self.assertEqual(self.files(), before)
 
     def library(self):
-        (self.folder / "mark.c").write_text(LIBRARY)
+        self.write("mark.c", LIBRARY)
         library = self.folder / "libmark.so"
         subprocess.run(["cc", "-shared", "-fPIC", "mark.c", "-o", library], cwd=self.folder, check=True)
         return library
@@ -53,7 +53,7 @@ class Hostile(InAFolder):
         for number, (name, value) in enumerate(HOSTILE):
             file, text = (("a.opts", f"-{name} '{value}'\n"), ("a.yaml", f"{name}: '{value}'\n"))[number % 2]
             with self.subTest(text):
-                (self.folder / file).write_text(text)
+                self.write(file, text)
                 before = self.files()
                 self.expect_one_sentence(self.run_alone(*BOX, "-options_file", file), before, f"-{name}")
 
@@ -66,7 +66,7 @@ class Hostile(InAFolder):
     def test_a_library(self):
         library = self.library()
         for name in ("dll_append", "dll_prepend"):
-            (self.folder / "a.opts").write_text(f"-{name} {library}\n")
+            self.write("a.opts", f"-{name} {library}\n")
             self.expect_one_sentence(self.run_alone(*BOX, "-options_file", "a.opts"), self.files(), name)
 
     @unittest.skipUnless(shutil.which("cc"), "no C compiler")
@@ -88,7 +88,7 @@ class Hostile(InAFolder):
         text = f"-dll_append {library}\n-modes 2\n-log_view :log\n"
         for place in (".petscrc", "petscrc", "home/.petscrc"):
             with self.subTest(place):
-                (self.folder / place).write_text(text)
+                self.write(place, text)
                 result = self.run_alone(*BOX, "-quiet", environment={"HOME": str(home)})
                 (self.folder / place).unlink()
                 self.assertEqual(result.code, 0, result.err)
@@ -106,9 +106,9 @@ class Hostile(InAFolder):
                 self.assertGreaterEqual(len(self.eigenvalues()), 5)
 
     def test_a_report_takes_no_other_files_place(self):
-        (self.folder / "kept.txt").write_text("kept")
+        self.write("kept.txt", "kept")
         (self.folder / "link.txt").symlink_to("kept.txt")
-        (self.folder / "a.opts").write_text("-modes 3\n")
+        self.write("a.opts", "-modes 3\n")
         for name in ("model.h5", "frequencies.csv", "model_K.mtx", "link.txt", "a.opts", "none/log", "home/.."):
             with self.subTest(name):
                 before = self.files()
@@ -131,7 +131,7 @@ class Reports(InAFolder):
         for ranks, form, start in ((1, "", "***"), (2, "ascii_info_detail", "size"), (1, "ascii_csv", "Stage"),
                                    (2, "ascii_xml", "<?xml"), (1, "ascii_flamegraph", "")):
             with self.subTest(form):
-                (self.folder / "a.opts").write_text(f"-log_view :log:{form}\n")
+                self.write("a.opts", f"-log_view :log:{form}\n")
                 self.reduce(*BOX, "-options_file", "a.opts", "-quiet", ranks=ranks)
                 text = (self.folder / "log").read_text().strip()
                 self.assertTrue(text and text.startswith(start), text[:80])
@@ -147,7 +147,7 @@ class Reports(InAFolder):
                       ["-solve_pc_type", "nonsense"], ["-multigrid_pc_gamg_threshold", "x"], ["-modes_eps_tol", "x"],
                       ["-newton_snes_max_it", "x"], ["-solve_mat_mumps_icntl_14", "x"]):
             for given in (words, ["-options_file", "a.opts"]):
-                (self.folder / "a.opts").write_text(" ".join(words) + "\n")
+                self.write("a.opts", " ".join(words) + "\n")
                 with self.subTest(given=given, words=words):
                     before = self.files()
                     result = self.run_alone(*BOX, *given)
@@ -168,8 +168,8 @@ class Lengths(InAFolder):
         for length in (4100, 70000):
             names = "xmin:x," * (length // 7)
             value = names + "xmin," + "xmax"
-            (self.folder / "a.opts").write_text(f"-fix {value}\n")
-            (self.folder / "a.yaml").write_text(f"fix: {value}\n")
+            self.write("a.opts", f"-fix {value}\n")
+            self.write("a.yaml", f"fix: {value}\n")
             for words in (["-fix", value], ["-options_file", "a.opts"], ["-options_file", "a.yaml"]):
                 with self.subTest(length=length, words=words[0]):
                     self.assertEqual(self.free(*BOX, *words), expected)
@@ -180,7 +180,7 @@ class Pipes(InAFolder):
         os.mkfifo(self.folder / "pipe")
         os.mkfifo(self.folder / "pipe.msh")
         os.mkfifo(self.folder / "pipe.yaml")
-        (self.folder / "s.toml").write_text("[time]\nstep = .1\nend = 1\n")
+        self.write("s.toml", "[time]\nstep = .1\nend = 1\n")
         for program, words in (("ritz-reduce", [*BOX, "-options_file", "pipe"]),
                                ("ritz-reduce", [*BOX, "-options_file", "pipe.yaml"]),
                                ("ritz-reduce", ["-mesh", "pipe.msh"]),

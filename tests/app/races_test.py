@@ -58,7 +58,7 @@ class Races(InAFolder):
             self.assertLessEqual(set(codes), {0, 2})
             with h5py.File(self.folder / "motion.h5") as file:
                 times = file["times"][:]
-            probes = np.loadtxt(self.folder / "probes.csv", delimiter=",", skiprows=1)
+            probes = self.table("probes.csv")[1]
             np.testing.assert_allclose(probes[:, 0], times, atol=1e-12)
             self.assertFalse([name for name in self.files() if name.endswith(".part")])
 
@@ -74,7 +74,7 @@ class Races(InAFolder):
         """As a run on another machine would, which ours cannot see."""
         process = self.start("ritz-reduce", *LONGER)
         self.after("assemble")(process)
-        (self.folder / "frequencies.csv").write_text("another's")
+        self.write("frequencies.csv", "another's")
         self.refused(process, "frequencies.csv")
         self.assertEqual({path.name: path.read_text() for path in self.folder.iterdir()}, {"frequencies.csv": "another's"})
 

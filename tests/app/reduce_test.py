@@ -124,15 +124,14 @@ class Files(InAFolder):
                 self.assertEqual("not certified" in text, solver == "iterative", text)
 
     def test_a_support_of_the_mesh_file(self):
-        (self.folder / "m.inp").write_text(HELD)
-        self.reduce("-mesh", "m.inp", *BOX[2:-1], "2")
+        self.reduce("-mesh", self.write("m.inp", HELD), *BOX[2:-1], "2")
         self.assertEqual(self.options()["fix"], "the mesh file's own")
 
     def test_vertex_numbers_that_no_double_holds(self):
         ids = [2**53 + n for n in (1, 3, 5, 7)]
         points = ["0, 0, 0", "1, 0, 0", "0, 1, 0", "0, 0, 1"]
-        (self.folder / "m.inp").write_text("*NODE\n" + "".join(f"{i}, {x}\n" for i, x in zip(ids, points)) +
-                                           f"*ELEMENT, TYPE=C3D4, ELSET=BODY\n1, {', '.join(map(str, ids))}\n")
+        self.write("m.inp", "*NODE\n" + "".join(f"{i}, {x}\n" for i, x in zip(ids, points)) +
+                   f"*ELEMENT, TYPE=C3D4, ELSET=BODY\n1, {', '.join(map(str, ids))}\n")
         self.reduce("-mesh", "m.inp", *BOX[2:-1], "2")
         np.testing.assert_array_equal(np.sort(self.body()["geometry/vertex_ids"][:]), ids)
 
@@ -220,7 +219,7 @@ class Voice(InAFolder):
         self.assertIn("mass-PCA of 2 vectors", stages["basis"])
 
     def test_plan_of_a_search_for_an_accurate_basis(self):
-        (self.folder / "s.toml").write_text('[static]\nsteps = 1\n[[load]]\nset = "xmax"\ntotal = [0, 0, -1]\n')
+        self.write("s.toml", '[static]\nsteps = 1\n[[load]]\nset = "xmax"\ntotal = [0, 0, -1]\n')
         stages, _ = self.plan("-accuracy", "1e-2", "-accuracy_scene", "s.toml")
         self.assertEqual(list(stages), ["mesh", "assemble", "full statics", "modes", "basis", "polynomial", "witness",
                                         "write", "in all"])
@@ -246,7 +245,7 @@ class Voice(InAFolder):
         self.assertEqual(stages["witness"], "of the polynomial")
 
     def test_log_view_shows_the_stages(self):
-        (self.folder / "a.opts").write_text("-log_view\n")
+        self.write("a.opts", "-log_view\n")
         for words in (["-log_view"], ["-options_file", "a.opts"]):
             text = self.reduce(*CLAMPED, *words).out
             for stage in ("mesh", "assemble", "modes", "inertia", "loads", "write"):

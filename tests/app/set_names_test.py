@@ -40,7 +40,7 @@ def scene(load, pressure, probe):
 class SetNames(InAFolder):
     def setUp(self):
         super().setUp()
-        (self.folder / "beam.inp").write_text(beam())
+        self.write("beam.inp", beam())
 
     def model(self, fix):
         self.reduce("-mesh", "beam.inp", *MATERIAL, "-fix", fix, "-modes", "4", "-quiet")

@@ -54,7 +54,7 @@ class Frame(InAFolder):
         self.assertIs(refused(bench, good, set(), code=1).holds, False)
         for err in ("", "ritz-run: one\nritz-run: two\n", "ritz-run: one\nTraceback (most recent call last)\n"):
             self.assertIs(refused(bench, programs.Ran("ritz-run", 2, "", err), set()).holds, False)
-        (self.folder / "motion.h5.part").write_text("")
+        self.write("motion.h5.part", "")
         self.assertIs(refused(bench, good, set()).holds, False)
         wrong_input = finite_or_failed(bench, "x", "ritz-run", ["none.h5", "--scene", "none.toml"], "motion.h5", "z")
         self.assertIs(wrong_input.holds, False)

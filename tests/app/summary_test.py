@@ -149,7 +149,7 @@ class OfModels(Summary):
 
 class OfMotions(Summary):
     def timing(self):
-        return np.loadtxt(self.folder / "t.csv", delimiter=",", skiprows=1, ndmin=2)
+        return self.table("t.csv")[1]
 
     def test_dynamics(self):
         said = self.full(*HELD, *self.scene(MOVING, 30), "-timing", "t.csv", "-summary", "s.json", "-frames", "1")
@@ -165,7 +165,7 @@ class OfMotions(Summary):
         self.assertLessEqual(cost[:, 1].sum() * 1e-6, summary["seconds"])
         self.assertEqual([row["stage"] for row in summary["stages"]], ["mesh", "assemble", "run", "write"])
         self.assertEqual(summary["seconds"], summary["stages"][2]["seconds"])
-        t, kinetic, elastic, work, dissipated, drift = np.loadtxt(self.folder / "energy.csv", delimiter=",", skiprows=1).T
+        t, kinetic, elastic, work, dissipated, drift = self.table("energy.csv")[1].T
         energy = summary["energy"]
         for key, value in (("start", kinetic[0] + elastic[0]), ("kinetic", kinetic[-1]), ("elastic", elastic[-1]),
                            ("work", work[-1]), ("dissipated", dissipated[-1]), ("largest", (kinetic + elastic).max()),
@@ -185,7 +185,7 @@ class OfMotions(Summary):
             self.full(*HELD, *self.scene(text, 300), "-summary", "s.json", ranks=1)
             summary = self.summary()
             self.assertEqual(summary["integrator"], integrator)
-            drift = np.loadtxt(self.folder / "energy.csv", delimiter=",", skiprows=1)[:, 5]
+            drift = self.table("energy.csv")[1][:, 5]
             self.assertGreater(summary["energy"]["largest_drift"], 0)
             np.testing.assert_allclose([summary["energy"]["gained"], summary["energy"]["lost"]],
                                        [max(0, drift.max()), max(0, -drift.min())], rtol=1e-13)
@@ -230,7 +230,7 @@ class Nothing(Summary):
         self.assertEqual(self.files(), before | {"scene.toml"})
 
     def test_of_a_run_that_fails(self):
-        (self.folder / "s.json").write_text("earlier")
+        self.write("s.json", "earlier")
         self.refused(self.reduce(*HELD, "-basis", "40", "-summary", "s.json", code=2), "independent directions")
         scene = self.scene(STATIC, 30)
         failing = self.full(*HELD, *scene, "-newton_snes_max_it", "1", "-summary", "s.json", code=1)
