@@ -1,39 +1,26 @@
 """ritz-inspect --summary: what is in a model, as numbers that agree with the file."""
-import json
-import os
 import re
-import subprocess
-import tempfile
 import unittest
 from pathlib import Path
 
 import h5py
 import numpy as np
 
-BIN = Path(os.environ["RITZ_BIN"])
+from program import InAFolder
+
 PAGE = (Path(__file__).parents[2] / "docs/summary.md").read_text()
 
 
-class RitzInspect(unittest.TestCase):
-    def setUp(self):
-        temporary = tempfile.TemporaryDirectory()
-        self.addCleanup(temporary.cleanup)
-        self.folder = Path(temporary.name)
-
-    def inspect(self, *words, code=0):
-        done = subprocess.run([BIN / "ritz-inspect", *words], cwd=self.folder, capture_output=True, text=True, timeout=60)
-        self.assertEqual(done.returncode, code, done.stderr)
-        return done
-
-    def summary(self, kind="two-bodies", words=()):
-        subprocess.run([BIN / "write_sample_model", self.folder / "model.h5", kind], check=True)
+class RitzInspect(InAFolder):
+    def summary(self, *words):
+        self.bench.run("write_sample_model", "model.h5", "two-bodies")
         self.inspect("model.h5", "--summary", "s.json", *words)
-        return json.loads((self.folder / "s.json").read_text())
+        return self.bench.summary("s.json")
 
     def test_every_key_is_documented(self):
         page = PAGE.split("## Of every program")[1].split("\n## ")[0] + PAGE.split("## `ritz-inspect`")[1]
         documented = set(re.findall(r"`(\w+)`", page))
-        summary = self.summary(words=["--check"])
+        summary = self.summary("--check")
         body = summary["bodies"][0]
         for key in [*summary, *body, *body["geometry"], *body["report"], *summary["checked"][0]]:
             self.assertIn(key, documented)
@@ -61,7 +48,7 @@ class RitzInspect(unittest.TestCase):
         self.assertEqual(arm["report"]["notes"], ["the arm's springs harden"])
 
     def test_a_check_is_measured(self):
-        for checked in self.summary(words=["--check"])["checked"]:
+        for checked in self.summary("--check")["checked"]:
             self.assertLess(checked["orthonormality"], 1e-12)
         self.assertLess(checked["stiffness"], 1e-9)
 
@@ -71,14 +58,14 @@ class RitzInspect(unittest.TestCase):
             file["bodies/body/modes/eigenvalues"][0] = 5
         (self.folder / "s.json").unlink()
         failed = self.inspect("model.h5", "--summary", "s.json", "--check", code=2)
-        self.assertEqual(len(failed.stderr.splitlines()), 1)
+        self.assertEqual(len(failed.err.splitlines()), 1)
         self.assertEqual([path.name for path in self.folder.glob("s.json*")], [])
 
     def test_the_model_is_not_overwritten(self):
         self.summary()
         before = (self.folder / "model.h5").read_bytes()
         failed = self.inspect("model.h5", "--summary", "model.h5", code=2)
-        self.assertIn("--summary model.h5", failed.stderr)
+        self.assertIn("--summary model.h5", failed.err)
         self.assertEqual((self.folder / "model.h5").read_bytes(), before)
 
 
