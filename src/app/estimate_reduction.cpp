@@ -4,7 +4,7 @@
 #include "ritz/app/estimate.hpp"
 #include "ritz/app/reduced_parts.hpp"
 #include "ritz/app/snapshots.hpp"
-#include "ritz/base/counted.hpp"
+#include "ritz/base/shown.hpp"
 #include "ritz/fem/dispatch.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/stages/reduce_polynomial.hpp"

@@ -12,7 +12,6 @@
 #include "ritz/app/resources.hpp"
 #include "ritz/app/warnings.hpp"
 #include "ritz/parallel/guard.hpp"
-#include "ritz/scene/frames.hpp"
 #include "ritz/scene_file/room.hpp"
 
 namespace ritz::app {

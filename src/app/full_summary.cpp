@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "ritz/app/full_start.hpp"
-#include "ritz/base/counted.hpp"
 #include "ritz/base/shown.hpp"
 
 namespace ritz::app {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "ritz/base/counted.hpp"
 #include "ritz/base/shown.hpp"
 #include "ritz/parallel/comm.hpp"
 

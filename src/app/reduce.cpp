@@ -18,7 +18,7 @@
 #include "ritz/app/static_path.hpp"
 #include "ritz/app/warnings.hpp"
 #include "ritz/app/write_model.hpp"
-#include "ritz/base/counted.hpp"
+#include "ritz/base/shown.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/parallel/guard.hpp"
 #include "ritz/stages/inertia.hpp"

@@ -3,7 +3,6 @@
 #include <cstdio>
 #include <fstream>
 
-#include "ritz/base/counted.hpp"
 #include "ritz/base/shown.hpp"
 #include "ritz/files/summary.hpp"
 #include "ritz/parallel/comm.hpp"

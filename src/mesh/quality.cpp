@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <utility>
 
-#include "ritz/base/counted.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/base/shown.hpp"
 #include "ritz/fem/dispatch.hpp"

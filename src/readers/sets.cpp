@@ -5,7 +5,7 @@
 #include <optional>
 #include <set>
 
-#include "ritz/base/counted.hpp"
+#include "ritz/base/shown.hpp"
 #include "ritz/base/set_name.hpp"
 
 namespace ritz::readers {

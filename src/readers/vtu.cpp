@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ritz/base/counted.hpp"
+#include "ritz/base/shown.hpp"
 #include "ritz/readers/groups.hpp"
 #include "ritz/readers/vtu_file.hpp"
 

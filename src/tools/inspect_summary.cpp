@@ -9,7 +9,7 @@
 #include "ritz/format/names.hpp"
 #include "ritz/format/parts.hpp"
 #include "ritz/format/summaries.hpp"
-#include "run_table.hpp"
+#include "run_tables.hpp"
 
 namespace ritz::tools {
 namespace {

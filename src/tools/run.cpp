@@ -10,7 +10,6 @@
 
 #include "inside_out.hpp"
 #include "progress.hpp"
-#include "ritz/base/counted.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/base/shown.hpp"
 #include "ritz/files/claim.hpp"
@@ -22,7 +21,6 @@
 #include "ritz/scene_file/room.hpp"
 #include "ritz/world/loads.hpp"
 #include "run_body.hpp"
-#include "run_frames.hpp"
 #include "run_recorder.hpp"
 #include "run_summary.hpp"
 #include "run_text.hpp"
@@ -77,6 +75,8 @@ std::int64_t count_steps(const scene::Scene& scene) {
   return std::get<scene::Static>(scene.analysis).steps;
 }
 
+scene::FrameChoice chosen_frames(const RunOptions& options) { return {options.frames, options.every}; }
+
 /// People write percent.
 std::string overdamped(const scene::Damping& damping) {
   const auto large = std::ranges::find_if(damping.ratio, [](double ratio) { return ratio >= 1; });
@@ -94,7 +94,7 @@ void refuse_unfit(const RunOptions& options, const RunBody& body) {
     throw InputError(
         "the integrator 'exact' is for linear models, and this one is nonlinear: choose avf, implicit-euler, newmark, "
         "generalized-alpha, bdf2 or central-difference, or run it with --linear");
-  if (!nonlinear && options.precision == world::Precision::single)
+  if (!nonlinear && options.precision == world::Precision::float32)
     throw InputError("--single is for nonlinear forces, and these are linear: leave it out");
 }
 
@@ -175,14 +175,14 @@ void swing_mode(const model::Body& body, double frequency, std::int64_t states, 
 void run_scene(const RunOptions& options, std::ostream& out, std::ostream& err) {
   const scene::Scene scene = scene::read(options.scene);
   const std::int64_t steps = count_steps(scene);
-  const std::int64_t frames = frame_count(options, steps);
+  const std::int64_t frames = scene::frame_count(chosen_frames(options), steps);
   const auto drawn = frames == 0 ? Frames::none : Frames::some;
   auto bodies = cast(scene, options.model);
   const auto names = claim(options, bodies, drawn, scene.probes.empty() ? Tables::none : Tables::probes);
   read_bodies(bodies, scene, drawn, options.forces);
   for (const auto& body : bodies) world::naming(body.name, [&] { refuse_unfit(options, body); });
   refuse_beyond_room(options, bodies, steps, frames);
-  const auto frame_states = frame_schedule(options, steps);
+  const auto frame_states = scene::frame_schedule(chosen_frames(options), steps);
   Recorder recorder(frame_states);
   prepare(recorder, options, scene, bodies, frame_states);
 

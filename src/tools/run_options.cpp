@@ -50,7 +50,7 @@ void declare(CLI::App& app, RunOptions& options) {
   app.add_option("--summary", options.summary, "Write what is printed, as numbers: docs/summary.md")
       ->type_name("FILE.json");
   app.add_flag_callback(
-      "--single", [&] { options.precision = world::Precision::single; },
+      "--single", [&] { options.precision = world::Precision::float32; },
       "Compute in single precision (nonlinear models only)");
   app.add_flag_callback(
       "--linear", [&] { options.forces = Forces::linear; },

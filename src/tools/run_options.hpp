@@ -23,7 +23,7 @@ struct RunOptions {
   std::optional<std::int64_t> animate_mode;  ///< from 1, all modes counted, rigid ones too
   std::optional<std::int64_t> frames;        ///< how many displacement frames, evenly spread
   std::optional<std::int64_t> every;         ///< a frame every so many steps
-  world::Precision precision = world::Precision::twofold;  ///< of the nonlinear runtime
+  world::Precision precision = world::Precision::float64;  ///< of the nonlinear runtime
   Forces forces = Forces::stored;
   Voice voice = Voice::normal;
 };

@@ -8,8 +8,7 @@
 #include "ritz/files/claim.hpp"
 #include "ritz/format/motion.hpp"
 #include "ritz/model/model.hpp"
-#include "run_probes.hpp"
-#include "run_timing.hpp"
+#include "run_tables.hpp"
 
 namespace ritz::tools {
 

@@ -22,7 +22,7 @@ Json::Object members(const Summarised& run, const BodyResult& body) {
   return {{"model", body.body.model_file.string()},
           {"analysis", timed ? "dynamics" : "statics"},
           {"integrator", timed ? Json(body.result.integrator) : Json(nullptr)},
-          {"precision", run.options.precision == world::Precision::single ? "single" : "double"},
+          {"precision", run.options.precision == world::Precision::float32 ? "single" : "double"},
           {"coordinates", world::reduced_size(*body.body.model)},
           {"steps", body.result.steps},
           {"newton_iterations", body.result.iterations},

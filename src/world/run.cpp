@@ -212,7 +212,7 @@ std::vector<RunResult> run_in(const scene::Scene& scene, std::span<const Actor> 
 }  // namespace
 
 std::vector<RunResult> run(const scene::Scene& scene, std::span<const Actor> actors, Precision precision) {
-  return precision == Precision::single ? run_in<float>(scene, actors) : run_in<double>(scene, actors);
+  return precision == Precision::float32 ? run_in<float>(scene, actors) : run_in<double>(scene, actors);
 }
 
 RunResult run(const scene::Scene& scene, const model::Body& body, Precision precision, const Observer& observer) {

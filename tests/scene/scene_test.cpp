@@ -180,5 +180,26 @@ TEST(Factor, RampsInStaticsUnlessTheLoadHasATable) {
   EXPECT_EQ(factor(scene, half, .25), .5);
 }
 
+TEST(Frames, AreAllOrThinned) {
+  EXPECT_THAT(frame_schedule({}, 3), ElementsAre(0, 1, 2, 3));
+  const auto thinned = frame_schedule({}, 100000);
+  EXPECT_EQ(thinned.size(), 201u);
+  EXPECT_EQ(thinned[1], 500);
+  EXPECT_EQ(thinned.back(), 100000);
+}
+
+TEST(Frames, ByNumber) {
+  EXPECT_THAT(frame_schedule({.frames = 3, .every = {}}, 10), ElementsAre(0, 5, 10));
+  EXPECT_THAT(frame_schedule({.frames = 4, .every = {}}, 10), ElementsAre(0, 3, 7, 10));
+  EXPECT_THAT(frame_schedule({.frames = 1, .every = {}}, 10), ElementsAre(10));
+  EXPECT_THAT(frame_schedule({.frames = 0, .every = {}}, 10), ElementsAre());
+  EXPECT_THAT(frame_schedule({.frames = 99, .every = {}}, 2), ElementsAre(0, 1, 2));
+}
+
+TEST(Frames, EverySoManySteps) {
+  EXPECT_THAT(frame_schedule({.frames = {}, .every = 4}, 10), ElementsAre(0, 4, 8));
+  EXPECT_THAT(frame_schedule({.frames = {}, .every = 400}, 10), ElementsAre(0));
+}
+
 }  // namespace
 }  // namespace ritz::scene

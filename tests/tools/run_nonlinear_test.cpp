@@ -43,7 +43,7 @@ TEST(RunNonlinear, FollowsTheOscillatorWithEveryIntegrator) {
   const double expected = duffing_at(1, 20) / root2;
   for (const std::string name :
        {"", "implicit-euler", "newmark", "generalized-alpha", "bdf2", "central-difference", "avf"})
-    for (const auto precision : {world::Precision::twofold, world::Precision::single}) {
+    for (const auto precision : {world::Precision::float64, world::Precision::float32}) {
       const test::RunFolder folder;
       const std::string choice = name.empty() ? "" : "integrator = '" + name + "'\n";
       auto options = folder.prepare("[time]\nstep = 1e-3\nend = 1\n" + choice + load(20 * root2) + probe,
@@ -54,9 +54,9 @@ TEST(RunNonlinear, FollowsTheOscillatorWithEveryIntegrator) {
       EXPECT_THAT(said, HasSubstr("Newton iterations, 0 steps rejected"));
       EXPECT_THAT(said, Not(HasSubstr("warning")));
       EXPECT_NEAR(test::read_csv(folder / "probes.csv").rows.back()[3], expected,
-                  name == "implicit-euler"                ? 2e-2
-                  : precision == world::Precision::single ? 2e-3
-                                                          : 2e-4)
+                  name == "implicit-euler"                 ? 2e-2
+                  : precision == world::Precision::float32 ? 2e-3
+                                                           : 2e-4)
           << name;
     }
 }
@@ -165,7 +165,7 @@ TEST(RunNonlinear, RefusesWhatIsForLinearModels) {
   options.animate_mode = 1;
   expect_refusal(options, "columns are not modes");
   auto linear = folder.prepare("[time]\nstep = 0.1\nend = 1\n");
-  linear.precision = world::Precision::single;
+  linear.precision = world::Precision::float32;
   expect_refusal(linear, "--single is for nonlinear forces");
   expect_refusal(
       folder.prepare("[time]\nstep = 1\nend = 3\nintegrator = 'central-difference'\n", test::nonlinear_sample_model()),

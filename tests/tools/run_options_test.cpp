@@ -3,12 +3,10 @@
 #include <gmock/gmock.h>
 
 #include "ritz/base/error.hpp"
-#include "ritz/tools/run_frames.hpp"
 
 namespace ritz::tools {
 namespace {
 
-using testing::ElementsAre;
 using testing::HasSubstr;
 
 std::variant<RunOptions, Help> parse(std::vector<const char*> words) {
@@ -71,34 +69,6 @@ TEST(RunOptions, BadLines) {
       EXPECT_THAT(error.what(), testing::Not(HasSubstr("\n")));
     }
   }
-}
-
-RunOptions with(std::optional<std::int64_t> frames, std::optional<std::int64_t> every = {}) {
-  RunOptions options;
-  options.frames = frames;
-  options.every = every;
-  return options;
-}
-
-TEST(Frames, AreAllOrThinned) {
-  EXPECT_THAT(frame_schedule(with({}), 3), ElementsAre(0, 1, 2, 3));
-  const auto thinned = frame_schedule(with({}), 100000);
-  EXPECT_EQ(thinned.size(), 201u);
-  EXPECT_EQ(thinned[1], 500);
-  EXPECT_EQ(thinned.back(), 100000);
-}
-
-TEST(Frames, ByNumber) {
-  EXPECT_THAT(frame_schedule(with(3), 10), ElementsAre(0, 5, 10));
-  EXPECT_THAT(frame_schedule(with(4), 10), ElementsAre(0, 3, 7, 10));
-  EXPECT_THAT(frame_schedule(with(1), 10), ElementsAre(10));
-  EXPECT_THAT(frame_schedule(with(0), 10), ElementsAre());
-  EXPECT_THAT(frame_schedule(with(99), 2), ElementsAre(0, 1, 2));
-}
-
-TEST(Frames, EverySoManySteps) {
-  EXPECT_THAT(frame_schedule(with({}, 4), 10), ElementsAre(0, 4, 8));
-  EXPECT_THAT(frame_schedule(with({}, 400), 10), ElementsAre(0));
 }
 
 }  // namespace

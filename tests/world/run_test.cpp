@@ -26,7 +26,7 @@ struct Seen {
   RunResult result;
 };
 
-Seen see(const scene::Scene& scene, const model::Body& body, Precision precision = Precision::twofold) {
+Seen see(const scene::Scene& scene, const model::Body& body, Precision precision = Precision::float64) {
   Seen seen;
   seen.result = run(scene, body, precision,
                     {.state = [&](double t, const auto&) { seen.times.push_back(t); },
@@ -115,7 +115,7 @@ TEST(Run, MovesSeveralBodiesSideBySideAsIfEachWereAlone) {
                            .cost = [](const StepCost&) {}});
     std::vector<Actor> actors;
     for (std::size_t i = 0; i < 3; ++i) actors.push_back({models[i], &observers[i]});
-    const auto results = run(of_several(analysis, newtons), actors, Precision::twofold);
+    const auto results = run(of_several(analysis, newtons), actors, Precision::float64);
     ASSERT_EQ(results.size(), 3u);
     for (std::size_t n = 0; n < told.size(); ++n) {
       EXPECT_EQ(told[n].body, n % 3);
@@ -123,7 +123,7 @@ TEST(Run, MovesSeveralBodiesSideBySideAsIfEachWereAlone) {
     }
     for (std::size_t i = 0; i < 3; ++i) {
       std::size_t n = i;
-      const auto alone = run(pulled(analysis, newtons[i]), *models[i], Precision::twofold,
+      const auto alone = run(pulled(analysis, newtons[i]), *models[i], Precision::float64,
                              {.state =
                                   [&](double, const auto& z) {
                                     ASSERT_LT(n, told.size());
@@ -146,7 +146,7 @@ TEST(Run, OfSeveralBodiesEndsWithTheFirstThatFails) {
   int states = 0;
   const Observer count{.state = [&](double, const auto&) { ++states; }, .cost = [](const StepCost&) {}};
   const std::vector<Actor> actors(2, Actor{&body, &count});
-  const auto results = run(scene, actors, Precision::twofold);
+  const auto results = run(scene, actors, Precision::float64);
   EXPECT_FALSE(results[0].failure);
   ASSERT_TRUE(results[1].failure);
   EXPECT_EQ(results[1].failure->step, 3);
@@ -159,7 +159,7 @@ TEST(Run, NamesTheBodyThatALoadDoesNotFit) {
   scene.loads[1].target = "tpi";
   const Observer nobody{.state = [](double, const auto&) {}, .cost = [](const StepCost&) {}};
   const std::vector<Actor> actors(2, Actor{&body, &nobody});
-  EXPECT_THAT([&] { run(scene, actors, Precision::twofold); },
+  EXPECT_THAT([&] { run(scene, actors, Precision::float64); },
               testing::ThrowsMessage<InputError>(testing::StartsWith("body 'b': ")));
 }
 

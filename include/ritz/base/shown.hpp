@@ -1,8 +1,10 @@
-// Formats numbers for messages.
+// Numbers and counts as text, for messages.
 #pragma once
 #include <cstdarg>
+#include <cstdint>
 #include <cstdio>
 #include <string>
+#include <string_view>
 
 namespace ritz {
 
@@ -20,5 +22,10 @@ namespace ritz {
 
 /// The number with `digits` significant digits, and with an exponent where that is shorter: 0.1, 1.6e-06.
 inline std::string shown(double x, int digits = 6) { return formatted("%.*g", digits, x); }
+
+/// "1 vertex", "2 vertices".
+inline std::string counted(std::int64_t count, std::string_view one, std::string_view many) {
+  return std::to_string(count) + ' ' + std::string(count == 1 ? one : many);
+}
 
 }  // namespace ritz

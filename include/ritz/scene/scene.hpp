@@ -1,4 +1,4 @@
-// A scene: which bodies there are and what is done to them, in plain structs. scene_file reads it from TOML; the serial
+// A scene: the bodies and what is done to them, in plain structs. scene_file reads it from TOML; the serial
 // and the parallel programs use it. SI units throughout.
 #pragma once
 #include <array>
@@ -44,11 +44,11 @@ struct Traction {
   Vector3 pascal;
 };  ///< on a surface set, consistent
 
-/// A body of a scene that names its bodies. Several may be made from one model.
+/// A body of a scene that names its bodies. Several bodies may have the same model.
 struct Body {
   std::string name;
-  std::filesystem::path model;  ///< a model file; empty: the one that the program was given
-  std::string model_body;       ///< which of the bodies in that file; empty: its first
+  std::filesystem::path model;  ///< the model file; empty: the one on the command line
+  std::string model_body;       ///< the name of the body in that file; empty: the first one
 };
 
 struct Load {
@@ -100,14 +100,30 @@ struct Scene {
   std::vector<Probe> probes;
 };
 
-/// What the scene does to the body of that name: a scene without names, with this body's loads and probes alone.
-/// Gravity, shaking and damping are the same for all bodies.
+/// The scene of one body: a scene that names no bodies, with the loads and probes of this body alone. Gravity, shaking
+/// and damping are the same for all bodies.
 Scene of_body(const Scene& scene, std::string_view name);
 
-/// How many steps reach `end`; 1e-9 of a step is forgiven, so that 1 s in steps of 0.1 s is ten.
+/// The number of steps that reach `end`. A shortfall of 1e-9 of a step is ignored, so that 1 s in steps of 0.1 s is ten
+/// steps.
 std::int64_t step_count(const Time& time);
 
-/// What a load (or, without a table, gravity) is multiplied by at time or load fraction t.
+/// The factor of a load with this table at time t (s) or load fraction t; without a table that of a constant load, and
+/// of gravity.
 double factor(const Scene& scene, const std::optional<Table>& table, double t);
+
+/// What the user asked for; if neither member is set: all states, but at most 201 frames.
+struct FrameChoice {
+  std::optional<std::int64_t> frames;  ///< the number of frames, evenly spread
+  std::optional<std::int64_t> every;   ///< one frame every so many steps
+};
+
+/// The number of frames of a run of `steps` steps.
+std::int64_t frame_count(const FrameChoice& choice, std::int64_t steps);
+
+/// The states that are frames, ascending; states are numbered 0 ... steps. With `every`: 0, every, 2 every, ...; with
+/// `frames`: so many, spread evenly from the first state to the last (a single frame is the last state); by default as
+/// with `frames` = 201, or all states if there are fewer.
+std::vector<std::int64_t> frame_schedule(const FrameChoice& choice, std::int64_t steps);
 
 }  // namespace ritz::scene

@@ -15,51 +15,55 @@
 
 namespace ritz::world {
 
-enum class Precision : unsigned char { twofold, single };
+/// The floating point numbers that a run computes with.
+enum class Precision : unsigned char { float64, float32 };
 
-/// What one step took, without recording.
+/// The cost of one step.
 struct StepCost {
-  double t = 0;  ///< s, or the load fraction
-  double seconds = 0;
-  int iterations = 0;  ///< Newton's
-  int rejected = 0;    ///< attempts that did not converge and were halved
+  double t = 0;        ///< time at the end of the step, s, or load fraction
+  double seconds = 0;  ///< wall time, without recording the state
+  int iterations = 0;  ///< Newton iterations
+  int rejected = 0;    ///< attempts that did not converge, after which the step was halved
 };
 
-/// Is told of every state of a body, the first included, and of what each step took before its state comes.
+/// Functions that a run calls: `cost` after each step, then `state` with the state that was reached (r numbers), which
+/// is also called once with the first state.
 struct Observer {
   std::function<void(double t, const Eigen::Ref<const Eigen::VectorXd>& z)> state;
   std::function<void(const StepCost& cost)> cost;
 };
 
-/// Why a run ended early.
+/// The reason why a run ended early.
 enum class Cause : unsigned char {
-  not_finite,     ///< a state is not finite: the loads are too large
-  not_converged,  ///< neither a step nor its halves converge
+  not_finite,     ///< a state is not finite, because the loads are too large
+  not_converged,  ///< neither a step nor its halves converged
   free_body,      ///< statics of a body that nothing holds
   limit_point     ///< statics: the body snaps or buckles
 };
 
+/// How and where a run ended early.
 struct Failure {
   Cause cause = Cause::not_finite;
-  std::int64_t step = 0;               ///< the one that failed, from 1
-  double t = 0;                        ///< its end, s; of statics the load fraction that was reached
+  std::int64_t step = 0;               ///< number of the step that failed, from 1
+  double t = 0;                        ///< time at its end, s; of statics the load fraction that was reached
   double softest = 0;                  ///< at a limit point: the smallest eigenvalue of K̃, 1/s²
   double softest_at_rest = 0;          ///< the same at rest, 1/s²
-  std::optional<Eigen::Index> pushed;  ///< of a free linear body: the rigid mode that the load pushes
+  std::optional<Eigen::Index> pushed;  ///< statics of a free linear body: a rigid mode on which the load does work
 };
 
+/// The outcome of a run, for one body.
 struct RunResult {
-  std::string_view integrator;  ///< its name; empty of statics
-  std::int64_t steps = 0;
-  double seconds = 0;  ///< of stepping alone
-  std::int64_t iterations = 0, rejected = 0;
-  std::optional<EnergyBalance> energy;  ///< of nonlinear motions
-  std::optional<EnergyGain> gain;       ///< a warning, of nonlinear motions
-  std::optional<Failure> failure;
+  std::string_view integrator;                ///< its name; empty for statics
+  std::int64_t steps = 0;                     ///< the number of steps of the scene
+  double seconds = 0;                         ///< wall time of stepping, without recording
+  std::int64_t iterations = 0, rejected = 0;  ///< sums over all steps, as in StepCost
+  std::optional<EnergyBalance> energy;        ///< only for nonlinear motions
+  std::optional<EnergyGain> gain;             ///< present if a nonlinear motion gained energy without work
+  std::optional<Failure> failure;             ///< present if the run ended early
 };
 
-/// Does `work`, and puts the name of the body that it is about in front of what an InputError of it says. Without a
-/// name: as it is.
+/// Calls `work`. An InputError that it throws is thrown again with "body 'NAME': " before its message, or unchanged if
+/// the name is empty.
 template <class Work>
 void naming(const std::string& body, Work work) try {
   work();
@@ -68,19 +72,20 @@ void naming(const std::string& body, Work work) try {
   throw InputError("body '" + body + "': " + error.what(), error.reason);
 }
 
-/// A body of a scene: what it is made from, and who is told of it. Both must outlive the run.
+/// A body of a scene, by pointers that must be valid during the run.
 struct Actor {
   const model::Body* body;
   const Observer* observer;
 };
 
-/// From rest at t = 0 to the scene's end, or through load fractions 0, 1/steps, ... 1, between which the load goes
-/// straight. The actors stand in the order of scene.bodies; of a scene that names none there is one. All bodies make a
-/// step before any makes the next, and the first failure ends the run. Bodies made from one model::Body share its
-/// equation. Returns a result a body. Throws InputError for what the scene asks of a body that it cannot do.
+/// Runs a scene: in time, from rest at t = 0 to the end; or in statics, through the load fractions 0, 1/steps, ... 1,
+/// between which the load is linear. `actors` has one entry for each of scene.bodies, in the same order, or a single
+/// one if the scene names no bodies. All bodies make a step before any of them makes the next, and the first failure
+/// ends the run. Bodies with the same model::Body share one equation. Returns one result for each body. Throws
+/// InputError for loads, probes or steps that a body does not admit.
 std::vector<RunResult> run(const scene::Scene& scene, std::span<const Actor> actors, Precision precision);
 
-/// The same for a scene of one body.
+/// As above, for a scene that names no bodies.
 RunResult run(const scene::Scene& scene, const model::Body& body, Precision precision, const Observer& observer);
 
 }  // namespace ritz::world

@@ -1,4 +1,4 @@
-#include "ritz/base/counted.hpp"
+#include "ritz/base/shown.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,8 @@
 #include "ritz/model/model.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace ritz::model {
 
@@ -11,6 +13,8 @@ Eigen::Vector3d offset(const Inertia& inertia) {
 }
 
 }  // namespace
+
+double frequency(double eigenvalue) { return std::sqrt(std::max(0.0, eigenvalue)) / (2 * std::numbers::pi); }
 
 double Inertia::mass() const { return gram(0, 0); }
 

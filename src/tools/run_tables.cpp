@@ -1,8 +1,27 @@
-#include "run_probes.hpp"
+#include "run_tables.hpp"
 
+#include <cerrno>
 #include <utility>
 
+#include "ritz/files/failure.hpp"
+
 namespace ritz::tools {
+
+TableFile::TableFile(const std::filesystem::path& path) : file_(path), out_(file_.part(), std::ios::binary) {
+  out_.precision(15);
+  check();
+}
+
+void TableFile::check() {
+  if (!out_) files::fail_to_write(file_.path(), errno);
+}
+
+void TableFile::finish() {
+  errno = 0;
+  out_.close();
+  check();
+  file_.finish();
+}
 
 ProbeWriter::ProbeWriter(const std::filesystem::path& path, const std::vector<scene::Probe>& probes,
                          std::vector<ProbedBody> bodies)
@@ -32,6 +51,15 @@ void ProbeWriter::take(std::size_t body, double t, Eigen::Ref<const Eigen::Vecto
   table_.out() << t;
   for (const double value : row_) table_.out() << ',' << value;
   table_.out() << '\n';
+  table_.check();
+}
+
+TimingWriter::TimingWriter(const std::filesystem::path& path) : table_(path) {
+  table_.out() << "t,microseconds,iterations,rejected\n";
+}
+
+void TimingWriter::row(const world::StepCost& step) {
+  table_.out() << step.t << ',' << 1e6 * step.seconds << ',' << step.iterations << ',' << step.rejected << '\n';
   table_.check();
 }
 
