@@ -3,7 +3,7 @@
 #include <string>
 
 #include "ritz/algebra/newton.hpp"
-#include "ritz/stages/tangent.hpp"
+#include "ritz/stages/internal_force.hpp"
 
 namespace ritz::stages {
 

@@ -1,6 +1,10 @@
 #include "ritz/stages/internal_force.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "ritz/fem/response.hpp"
+#include "ritz/fem/strain.hpp"
 #include "ritz/mesh/dofs.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/stages/each_cell.hpp"
@@ -9,12 +13,59 @@ namespace ritz::stages {
 namespace {
 
 template <class E>
-void add_cell(const mesh::Mesh& mesh, const Cell<E>& cell, const mesh::LocalRows& local, InternalForces& sums) {
+void add_force(const mesh::Mesh& mesh, const Cell<E>& cell, const mesh::LocalRows& local, InternalForces& sums) {
   for (Eigen::Index j = 0; j < local.cols(); ++j) {
     const auto [energy, force] = fem::energy_and_force<E>(cell.x, cell.gather(local, j), cell.material);
     if (cell.owned) sums.energies[j] += energy;
     for (int a = 0; a < E::vertices; ++a)
       if (const int v = cell.vertex(a); v < mesh.owned) mesh::at_vertex(sums.forces.col(j), v) += force.col(a);
+  }
+}
+
+/// Where a cell's sums go.
+struct Target {
+  const BlockPattern& pattern;
+  algebra::Rows& rows;
+  const mesh::Mesh& mesh;
+  const mesh::Dofs& dofs;
+};
+
+template <class E>
+auto weighted_tangent(const Cell<E>& cell, const Eigen::VectorXd& weights, const mesh::LocalRows& local) {
+  fem::Matrix<mesh::components * E::vertices, mesh::components * E::vertices> K;
+  K.setZero();
+  for (Eigen::Index j = 0; j < weights.size(); ++j)
+    K += weights[j] * fem::tangent<E>(cell.x, cell.gather(local, j), cell.material);
+  return K;
+}
+
+template <class E>
+void add_tangent(const Target& to, const Cell<E>& cell, const Eigen::VectorXd& weights, const mesh::LocalRows& local) {
+  const auto K = weighted_tangent(cell, weights, local);
+  for (int a = 0; a < E::vertices; ++a) {
+    const int row = cell.vertex(a);
+    if (row >= to.mesh.owned) continue;
+    for (int b = 0; b < E::vertices; ++b) {
+      const int column = cell.vertex(b);
+      const auto place = to.pattern.graph.place(to.mesh.global, row, column);
+      add_block(to.rows, to.pattern, to.mesh, to.dofs, place, row, column, mesh::at_vertices(K, a, b));
+    }
+  }
+}
+
+/// Adds ∫ ε : C : ε of one cell for each column of `local` (3 rows a local vertex).
+template <class E>
+void add_strain_energy(const Cell<E>& cell, const mesh::LocalRows& local, Eigen::VectorXd& sums) {
+  const fem::Coordinates<E> x = fem::relative<E>(cell.x);
+  const auto elastic = cell.material.at_rest();
+  const double lambda = elastic.lambda, mu = elastic.mu;
+  for (const auto& sample : E::rule) {
+    const auto [gradients, weight] = fem::physical_gradients<E>(x, sample);
+    for (Eigen::Index j = 0; j < local.cols(); ++j) {
+      const Eigen::Matrix3d G = fem::relative<E>(cell.gather(local, j)) * gradients;
+      const Eigen::Matrix3d strain = (G + G.transpose()) / 2;
+      sums[j] += weight * (lambda * strain.trace() * strain.trace() + 2 * mu * strain.squaredNorm());
+    }
   }
 }
 
@@ -24,8 +75,33 @@ InternalForces internal_forces(const Problem& problem, mesh::VertexRef u) {
   const mesh::Mesh& mesh = problem.mesh;
   const mesh::LocalRows local = mesh::with_ghosts(mesh, u, mesh::components);
   InternalForces sums{Eigen::VectorXd::Zero(u.cols()), mesh::VertexRows::Zero(u.rows(), u.cols())};
-  each_cell(mesh, problem.materials, [&]<class E>(const Cell<E>& cell) { add_cell(mesh, cell, local, sums); });
+  each_cell(mesh, problem.materials, [&]<class E>(const Cell<E>& cell) { add_force(mesh, cell, local, sums); });
   parallel::sum_in_place(mesh.comm, sums.energies);
+  return sums;
+}
+
+Tangent empty_tangent(const Problem& problem) {
+  BlockRows blocks = empty_rows(problem.mesh, problem.dofs);
+  return {std::move(blocks.pattern), algebra::symmetric_matrix(problem.mesh.comm, std::move(blocks.rows),
+                                                               problem.dofs.block, algebra::Definite::semi)};
+}
+
+void fill_tangent(Tangent& tangent, const Problem& problem, const Eigen::VectorXd& weights, mesh::VertexRef u) {
+  const mesh::Mesh& mesh = problem.mesh;
+  const mesh::LocalRows local = mesh::with_ghosts(mesh, u, mesh::components);
+  algebra::Rows& rows = algebra::storage(tangent.matrix);
+  for (algebra::Csr* part : {&rows.own, &rows.other}) std::fill(part->values.begin(), part->values.end(), 0.0);
+  const Target to{tangent.pattern, rows, mesh, problem.dofs};
+  each_cell(mesh, problem.materials, [&]<class E>(const Cell<E>& cell) { add_tangent(to, cell, weights, local); });
+  algebra::renewed(tangent.matrix);
+}
+
+Eigen::VectorXd strain_energies(const Problem& problem, mesh::VertexRef u) {
+  const mesh::Mesh& mesh = problem.mesh;
+  const mesh::LocalRows local = mesh::with_ghosts(mesh, u, mesh::components);
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(u.cols());
+  each_owned_cell(mesh, problem.materials, [&]<class E>(const Cell<E>& cell) { add_strain_energy(cell, local, sums); });
+  parallel::sum_in_place(mesh.comm, sums);
   return sums;
 }
 

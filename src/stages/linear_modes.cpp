@@ -13,7 +13,7 @@
 #include "ritz/stages/eigen_strategy.hpp"
 #include "ritz/stages/fixed_vectors.hpp"
 #include "ritz/stages/rigid_modes.hpp"
-#include "ritz/stages/strain_energy.hpp"
+#include "ritz/stages/internal_force.hpp"
 
 namespace ritz::stages {
 namespace {

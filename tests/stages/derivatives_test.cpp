@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include "ritz/mesh/halo.hpp"
-#include "ritz/stages/tangent.hpp"
+#include "ritz/stages/internal_force.hpp"
 #include "support/reduction.hpp"
 
 namespace ritz::test {

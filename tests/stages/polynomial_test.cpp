@@ -8,7 +8,6 @@
 #include "ritz/runtime/polynomial_force.hpp"
 #include "ritz/stages/internal_force.hpp"
 #include "ritz/stages/reduce_polynomial.hpp"
-#include "ritz/stages/tangent.hpp"
 #include "ritz/stages/witness.hpp"
 #include "support/reduction.hpp"
 

@@ -1,3 +1,5 @@
+// The integrators of nonlinear models, each by its coefficients for a step of unit length.
+//
 // The generalised-α family over the change δ of a step; Newmark's method is α_m = α_f = 0.
 //   z''_{n+1} = (δ − Δt z' − (½ − β) Δt² z'') / βΔt²,  z'_{n+1} = z' + Δt ((1 − γ) z'' + γ z''_{n+1}),
 //   mix(α_m; z'') + D mix(α_f; z') + f̃(mix(α_f; z)) = mix(α_f; f),  mix(α; x) = α x_n + (1 − α) x_{n+1}.
@@ -48,6 +50,48 @@ ExplicitStep<> half_steps() {
   return step;
 }
 
+/// z'_{n+1} = δ / Δt,  (z'_{n+1} − z'_n) / Δt + D z'_{n+1} + f̃(z_{n+1}) = f_{n+1}.
+ImplicitStep<> first_order() {
+  ImplicitStep<> step{.inertia = 1, .drag = 1};
+  step.acceleration[1] = 1;
+  step.history(0, 0) = 1;
+  step.change.head<2>() << 1, 1;
+  return step;
+}
+
+/// The same, which keeps what the next step needs.
+ImplicitStep<> first_of_two() {
+  ImplicitStep<> step = first_order();
+  step.history(3, 1) = 1;
+  step.change[2] = 1;
+  return step;
+}
+
+/// With δ_n = z_n − z_{n−1}: z'_{n+1} = (3 δ − δ_n) / 2Δt,  (3 z'_{n+1} − 4 z'_n + z'_{n−1}) / 2Δt + D z'_{n+1} + f̃ =
+/// f_{n+1}.
+ImplicitStep<> second_order() {
+  ImplicitStep<> step{.inertia = 2.25, .drag = 1.5};
+  step.acceleration << 0, 2, 0.75, -0.5;
+  step.velocity[2] = 0.5;
+  step.history(0, 0) = step.history(3, 1) = 1;
+  step.history(1, 2) = -0.5;
+  step.change.head<3>() << 1, 1.5, 1;
+  return step;
+}
+
+/// δ / Δt = (z'_n + z'_{n+1}) / 2,  (z'_{n+1} − z'_n) / Δt + D δ / Δt + ∫₀¹ f̃(z_n + s δ) ds = (f_n + f_{n+1}) / 2.
+/// Multiplied by δ: the kinetic energy changes by the loads' work less the damping's less the change of Ẽ, whatever Δt
+/// is.
+ImplicitStep<> average_vector_field() {
+  ImplicitStep<> step{.inertia = 2, .drag = 1, .rule = ForceRule::mean_of_step, .point = 0.5};
+  step.acceleration[1] = 2;
+  step.begin = step.end = 0.5;
+  step.history(0, 0) = 1;
+  step.history(1, 1) = -1;
+  step.change.head<2>() << 1, 2;
+  return step;
+}
+
 }  // namespace
 
 Integrator newmark() { return {"newmark", History::acceleration, member(average_acceleration)}; }
@@ -55,5 +99,11 @@ Integrator newmark() { return {"newmark", History::acceleration, member(average_
 Integrator generalized_alpha() { return {"generalized-alpha", History::acceleration, member(chung_hulbert(0.8))}; }
 
 Integrator central_difference() { return {"central-difference", History::acceleration, half_steps()}; }
+
+Integrator implicit_euler() { return {"implicit-euler", History::none, first_order()}; }
+
+Integrator bdf2() { return {"bdf2", History::last_step, second_order(), first_of_two()}; }
+
+Integrator avf() { return {"avf", History::none, average_vector_field()}; }
 
 }  // namespace ritz::runtime
