@@ -75,7 +75,11 @@ def run(program, *words, code=0, limit=None, **how):
         try:
             out, err = process.communicate(timeout=limit)
         except BaseException as why:
-            process.kill()
+            process.terminate()  # mpirun ends its ranks then
+            try:
+                process.wait(5)
+            except subprocess.TimeoutExpired:
+                process.kill()
             if isinstance(why, subprocess.TimeoutExpired):
                 raise Failed(f"{name} did not end within {limit} s", limit) from None
             raise

@@ -149,6 +149,8 @@ Outcome solve_implicit(const Model<Scalar>& model, const State<Scalar>& state, c
   Outcome outcome{.status = Status::not_converged};
   write_target(model, state, numbers, room);
   room.delta.setZero();
+  // How far the body is from where its coordinates are 0: positions are known to rounding of that.
+  const Scalar away = state.z().norm() + (state.frame ? state.frame->origin.norm() : Scalar(0));
   Scalar last = std::numeric_limits<Scalar>::infinity();
   int shortened = 0;
   for (;;) {
@@ -174,7 +176,7 @@ Outcome solve_implicit(const Model<Scalar>& model, const State<Scalar>& state, c
     const Scalar change = correct(room);
     room.correction_taken = room.correction;
     ++outcome.iterations;
-    if (change <= rounding * (state.z().norm() + room.delta.norm())) {
+    if (change <= rounding * (away + room.delta.norm())) {
       outcome.status = Status::done;  // δ is as good as its last digit, whatever R's rounding
       return outcome;
     }

@@ -39,7 +39,7 @@ template <class Scalar>
 Matrix3<Scalar> right_jacobian(const Vector3<Scalar>& theta) {
   const Scalar a = theta.norm();
   const bool small = a < small_angle<Scalar>();
-  const Scalar first = small ? Scalar(0.5) - a * a / 24 : (1 - std::cos(a)) / (a * a);
+  const Scalar first = small ? Scalar(0.5) - a * a / 24 : 2 * std::pow(std::sin(a / 2) / a, Scalar(2));
   const Scalar second = small ? Scalar(1) / 6 - a * a / 120 : (a - std::sin(a)) / (a * a * a);
   const Matrix3<Scalar> tilde = cross<Scalar>(theta);
   return Matrix3<Scalar>::Identity() - first * tilde + second * tilde * tilde;

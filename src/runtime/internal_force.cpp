@@ -41,16 +41,21 @@ void evaluate(const CarriedForce<Scalar>& force, const VectorRef<Scalar>& q, Eva
 }
 
 template <class Scalar>
-Matrix<Scalar> stiffness_at_rest(const InternalForce<Scalar>& force) {
-  if (const auto* carried = std::get_if<CarriedForce<Scalar>>(&force)) {
-    const Eigen::Index size = carried->size(), r = size - frame_coordinates;
-    Matrix<Scalar> stiffness = Matrix<Scalar>::Zero(size, size);
-    stiffness.bottomRightCorner(r, r) = std::visit(
-        [](const auto& body) { return stiffness_at_rest<Scalar>(InternalForce<Scalar>(body)); }, carried->body);
-    return stiffness;
-  }
-  if (const auto* polynomial = std::get_if<PolynomialForce<Scalar>>(&force)) return polynomial->linear;
-  return std::get<LinearForce<Scalar>>(force).stiffness.asDiagonal();
+Matrix<Scalar> stiffness_at_rest(const LinearForce<Scalar>& force) {
+  return force.stiffness.asDiagonal();
+}
+
+template <class Scalar>
+Matrix<Scalar> stiffness_at_rest(const PolynomialForce<Scalar>& force) {
+  return force.linear;
+}
+
+template <class Scalar>
+Matrix<Scalar> stiffness_at_rest(const CarriedForce<Scalar>& force) {
+  const Matrix<Scalar> body = std::visit([](const auto& f) { return stiffness_at_rest(f); }, force.body);
+  Matrix<Scalar> stiffness = Matrix<Scalar>::Zero(force.size(), force.size());
+  stiffness.bottomRightCorner(body.rows(), body.cols()) = body;
+  return stiffness;
 }
 
 template <class Scalar>
@@ -87,7 +92,9 @@ void evaluate_mean(const InternalForce<Scalar>& internal, const VectorRef<Scalar
   template void evaluate(const LinearForce<S>&, const VectorRef<S>&, Evaluation<S>&);  \
   template Evaluation<S> make_evaluation(const CarriedForce<S>&);                      \
   template void evaluate(const CarriedForce<S>&, const VectorRef<S>&, Evaluation<S>&); \
-  template Matrix<S> stiffness_at_rest(const InternalForce<S>&);                       \
+  template Matrix<S> stiffness_at_rest(const LinearForce<S>&);                         \
+  template Matrix<S> stiffness_at_rest(const PolynomialForce<S>&);                     \
+  template Matrix<S> stiffness_at_rest(const CarriedForce<S>&);                        \
   template MeanEvaluation<S> make_mean_evaluation(const InternalForce<S>&);            \
   template std::array<S, 2> mean_points();                                             \
   template void evaluate_mean(const InternalForce<S>&, const VectorRef<S>&, const VectorRef<S>&, MeanEvaluation<S>&);

@@ -72,7 +72,7 @@ Model<Scalar> carry(Model<Scalar> body, Inertia<Scalar> inertia) {
   auto& carried = std::get<CarriedForce<Scalar>>(model.force).body;
   if (auto* polynomial = std::get_if<PolynomialForce<Scalar>>(&body.force)) carried = std::move(*polynomial);
   else if (auto* linear = std::get_if<LinearForce<Scalar>>(&body.force)) carried = std::move(*linear);
-  else throw std::logic_error("a frame carries this body already");
+  else throw std::logic_error("a frame carries bodies of linear and of polynomial forces, which none carries yet");
   if (const auto* diagonal = std::get_if<Vector<Scalar>>(&body.damping)) {
     Vector<Scalar> damping = Vector<Scalar>::Zero(size);
     damping.tail(r) = *diagonal;

@@ -90,6 +90,12 @@ Outcome attempt(const Model<Scalar>& model, State<Scalar>& state, const StepLoad
 }
 
 template <class Scalar>
+bool all_finite(const State<Scalar>& state) {
+  return state.history.allFinite() &&
+         (!state.frame || (state.frame->origin.allFinite() && state.frame->rotation.coeffs().allFinite()));
+}
+
+template <class Scalar>
 Outcome step_in_parts(const Model<Scalar>& model, State<Scalar>& state, const StepLoad<Scalar>& load, Scalar dt,
                       Workspace<Scalar>& workspace, StepDerivative<Scalar>* derivative) {
   auto& room = std::get<NewtonRoom<Scalar>>(workspace.room);
@@ -105,7 +111,7 @@ Outcome step_in_parts(const Model<Scalar>& model, State<Scalar>& state, const St
     const auto tried = attempt(model, state, load, part, width * dt, workspace, derivative);
     outcome.iterations += tried.iterations;
     outcome.evaluations += tried.evaluations;
-    outcome.status = state.history.allFinite() ? tried.status : Status::not_finite;
+    outcome.status = all_finite(state) ? tried.status : Status::not_finite;
     if (outcome.status == Status::done) {
       room.residual.setZero();
       add_damping<Scalar>(model, 1, room.delta, room.residual);
@@ -128,6 +134,8 @@ Outcome step_in_parts(const Model<Scalar>& model, State<Scalar>& state, const St
 template <class Scalar>
 Outcome take_step(const Model<Scalar>& model, State<Scalar>& state, const StepLoad<Scalar>& load, Scalar dt,
                   Workspace<Scalar>& workspace, StepDerivative<Scalar>* derivative) {
+  if (is_carried(model) != state.frame.has_value())
+    throw std::logic_error("a frame belongs to the state of a carried body, and to no other");
   if (load.position && workspace.loads == Loads::of_time)
     throw std::logic_error("a workspace made for loads of time was given a force of position");
   if (auto* tables = std::get_if<OscillatorTables<Scalar>>(&workspace.room))

@@ -75,7 +75,7 @@ Target target(const Section& section) {
 /// Of bodies, as of probes, whose names head columns and name files.
 void check_name(const Entry& entry, const std::string& name, const std::string& use) {
   const auto unfit = [](unsigned char c) { return c == ',' || c == '"' || c < ' ' || c == 0x7f; };
-  if (name.empty() || std::any_of(name.begin(), name.end(), unfit))
+  if (name.empty() || std::any_of(name.begin(), name.end(), unfit) || printable(name) != name)
     fail(entry, entry.name + " " + use + ": it must not be empty nor hold a comma, a quote or a control character");
 }
 

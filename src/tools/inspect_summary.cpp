@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "inspect_body.hpp"
-#include "ritz/files/claim.hpp"
 #include "ritz/files/summary.hpp"
 #include "ritz/format/names.hpp"
 #include "ritz/format/parts.hpp"
@@ -135,9 +134,12 @@ files::Json summary(const format::ModelReader& in, const std::optional<std::vect
   return members;
 }
 
-void write_summary(const files::Json& summary, const std::filesystem::path& path, const format::ModelReader& in) {
-  const files::Claim claim(
-      {.outputs = {{"--summary " + path.string(), path}}, .inputs = {{"the model " + in.name(), in.name()}}});
+files::Claim claim_summary(const std::filesystem::path& path, const std::filesystem::path& model) {
+  return files::Claim(
+      {.outputs = {{"--summary " + path.string(), path}}, .inputs = {{"the model " + model.string(), model}}});
+}
+
+void write_summary(const files::Json& summary, const std::filesystem::path& path, const files::Claim& claim) {
   TableFile file(path);
   file.out() << files::json_text(summary);
   file.check();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "inspect_check.hpp"
+#include "ritz/files/claim.hpp"
 #include "ritz/files/json.hpp"
 #include "ritz/format/reader.hpp"
 
@@ -13,8 +14,11 @@ namespace ritz::tools {
 /// `checked`: what --check measured, a body each; nothing where it was not asked for.
 files::Json summary(const format::ModelReader& in, const std::optional<std::vector<CheckedBody>>& checked);
 
-/// Writes a summary's text to `path`, which gets its name when it is whole. Throws InputError where it cannot be
-/// created or is the model itself, and NumericalError where the disk does not take it.
-void write_summary(const files::Json& summary, const std::filesystem::path& path, const format::ModelReader& in);
+/// Takes the name `path` for the summary of a model. Throws InputError where it cannot be written to or is the model.
+files::Claim claim_summary(const std::filesystem::path& path, const std::filesystem::path& model);
+
+/// Writes a summary to `path`, which gets its name when it is complete. Throws InputError or NumericalError where it
+/// cannot be written.
+void write_summary(const files::Json& summary, const std::filesystem::path& path, const files::Claim& claim);
 
 }  // namespace ritz::tools

@@ -39,12 +39,16 @@ int main(int argc, char** argv) {
   app.add_option("--summary", summary, "Write what is in it, as numbers: docs/summary.md")->type_name("FILE.json");
   try {
     tools::parse(app, argc, argv);
-    if (!summary.empty()) files::watch_interruptions("ritz-inspect");
+    std::optional<files::Claim> claim;
+    if (!summary.empty()) {
+      files::watch_interruptions("ritz-inspect");
+      claim.emplace(tools::claim_summary(summary, path));
+    }
     const format::ModelReader in(path);
     std::optional<std::vector<tools::CheckedBody>> checked;
     if (check) checked = tools::check(in, std::cout);
     else tools::describe(in, std::cout);
-    if (!summary.empty()) tools::write_summary(tools::summary(in, checked), summary, in);
+    if (claim) tools::write_summary(tools::summary(in, checked), summary, *claim);
     return said();
   } catch (const CLI::CallForHelp& help) {
     app.exit(help);

@@ -34,8 +34,12 @@ enum class Tables { none, probes };
 std::filesystem::path output_of(const RunOptions& options, const RunBody& body) {
   if (body.name.empty()) return options.output;
   const auto& all = options.output;
-  return all.parent_path() /
-         (all.stem().string() + "." + format::schema::link_name(body.name) + all.extension().string());
+  if (all.filename().empty() || all.filename() == "." || all.filename() == "..")
+    throw InputError("--output " + all.string() +
+                     " is a folder: give the name of a file, from which the motions of the "
+                     "bodies get theirs");
+  const auto ending = all.has_extension() ? all.extension().string() : ".h5";
+  return all.parent_path() / (all.stem().string() + "." + format::schema::link_name(body.name) + ending);
 }
 
 /// Takes the names of all that the run will write.

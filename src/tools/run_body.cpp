@@ -61,18 +61,30 @@ model::Body read_body(const format::ModelReader& in, const std::string& name, co
 }
 
 void read_bodies(std::vector<RunBody>& bodies, const scene::Scene& scene, Frames frames, Forces forces) {
-  using Key = std::pair<std::filesystem::path, std::string>;
+  struct Shared {
+    scene::Scene scene;  ///< what is done to all bodies of this model
+    std::vector<RunBody*> bodies;
+  };
   std::map<std::filesystem::path, format::ModelReader> files;
-  std::map<Key, std::shared_ptr<const model::Body>> read;
+  std::map<std::pair<std::filesystem::path, std::string>, Shared> models;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const auto& file = bodies[i].model_file;
-    auto& in = files.try_emplace(file, file).first->second;
+    const auto& in = files.try_emplace(file, file).first->second;
     const auto asked = scene.bodies.empty() ? std::string() : scene.bodies[i].model_body;
     if (!asked.empty()) in.require_body(asked);
     const auto name = asked.empty() ? in.first_body() : asked;
-    auto& model = read[{file, name}];
-    if (!model) model = std::make_shared<const model::Body>(read_body(in, name, scene, frames, forces));
-    bodies[i].model = model;
+    const auto [shared, is_new] = models.try_emplace({file, name}, Shared{bodies[i].scene, {}});
+    auto& [all, made_from] = shared->second;
+    made_from.push_back(&bodies[i]);
+    if (is_new) continue;
+    all.loads.insert(all.loads.end(), bodies[i].scene.loads.begin(), bodies[i].scene.loads.end());
+    all.probes.insert(all.probes.end(), bodies[i].scene.probes.begin(), bodies[i].scene.probes.end());
+  }
+  for (auto& [key, shared] : models) {
+    const auto& [file, name] = key;
+    const auto model =
+        std::make_shared<const model::Body>(read_body(files.at(file), name, shared.scene, frames, forces));
+    for (auto* body : shared.bodies) body->model = model;
   }
 }
 

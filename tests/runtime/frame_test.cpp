@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <stdexcept>
 
 #include "ritz/runtime/step_derivative.hpp"
 #include "runtime/nonlinear_support.hpp"
@@ -195,6 +197,48 @@ TEST(Frame, IsRestoredByAStepThatFails) {
   EXPECT_EQ(flight.state.history, before.history);
   EXPECT_EQ(flight.state.frame->origin, before.frame->origin);
   EXPECT_EQ(flight.state.frame->rotation.coeffs(), before.frame->rotation.coeffs());
+}
+
+TEST(Frame, BelongsToTheStateOfACarriedBodyAlone) {
+  auto flight = launched(2, avf(), .02);
+  flight.state.frame.reset();
+  EXPECT_THROW(flight.step(), std::logic_error);
+  auto held = test::start<double>(make_model<double>(test::random_polynomial(2), {}), avf(), .02, VectorXd::Ones(2));
+  held.state.frame.emplace();
+  EXPECT_THROW(held.step(), std::logic_error);
+}
+
+TEST(Frame, CarriesABodyOfSmallDisplacements) {
+  const VectorXd stiffness = Vector3d(4, 9, 400);
+  const Model<double> body{.force = LinearForce<double>{stiffness}, .damping = VectorXd(VectorXd::Constant(3, .1))};
+  const auto carried = carry<double>(body, top);
+  const VectorXd at_rest = stiffness_at_rest(carried.force).diagonal();
+  EXPECT_TRUE(at_rest.head<6>().isZero(0));
+  EXPECT_EQ(at_rest.tail(3), stiffness);
+  VectorXd start = VectorXd::Zero(9);
+  start.tail(3).setOnes();
+  auto flying_body = test::start<double>(carried, newmark(), .01, start);
+  auto alone = test::start<double>(body, newmark(), .01, VectorXd::Ones(3));
+  for (int n = 0; n < 50; ++n) {
+    ASSERT_EQ(flying_body.step().status, Status::done);
+    alone.step();
+  }
+  EXPECT_LE((flying_body.state.z().tail(3) - alone.state.z()).norm(), 1e-12);
+  EXPECT_NEAR(flying_body.energy(), alone.energy(), 1e-10 * alone.energy());
+}
+
+TEST(Frame, IsTheSameInSinglePrecision) {
+  FrameChange<double> change;
+  change << .4, -.2, .3, .5, .1, -.7;
+  for (const double size : {1e-6, 1e-3, .02, 1.0}) {
+    const FrameChange<double> exact = size * change;
+    const auto single = moved_derivative<float>(exact.cast<float>());
+    const auto reference = moved_derivative<double>(exact);
+    EXPECT_LE((single.by_change.cast<double>() - reference.by_change).norm(), 1e-6) << size;
+    EXPECT_LE((single.by_frame.cast<double>() - reference.by_frame).norm(), 1e-6) << size;
+    const auto to = moved<float>({}, exact.cast<float>());
+    EXPECT_LE((to.origin.cast<double>() - moved<double>({}, exact).origin).norm(), 1e-6 * size);
+  }
 }
 
 }  // namespace

@@ -53,6 +53,7 @@ const std::vector<Bad> bad_scenes = {
     {"gravity = [0, 0, nan]\n" + time, ":1: 'gravity' of the scene must be a finite number"},
     {time + "[[body]]\nmodel = 'a.h5'", "[[body]] needs the key 'name'"},
     {time + "[[body]]\nname = ''", ":5: 'name' of [[body]] names files: it must not be empty"},
+    {time + "[[body]]\nname = \"\\u009b31m\"", ":5: 'name' of [[body]] names files: it must not be empty"},
     {time + "[[body]]\nname = 'a'\nmodel = ''", ":6: 'model' of [[body]] must name a model file"},
     {time + "[[body]]\nname = 'a'\nmodel_body = ''", ":6: 'model_body' of [[body]] must name a body"},
     {time + "[[body]]\nname = 'a'\n[[body]]\nname = 'a'", ":7: two bodies are named 'a'"},

@@ -66,6 +66,7 @@ class RitzInspect(InAFolder):
         before = (self.folder / "model.h5").read_bytes()
         failed = self.inspect("model.h5", "--summary", "model.h5", code=2)
         self.assertIn("--summary model.h5", failed.err)
+        self.assertEqual(failed.out, "")  # before the work
         self.assertEqual((self.folder / "model.h5").read_bytes(), before)
 
 

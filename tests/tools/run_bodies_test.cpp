@@ -112,5 +112,35 @@ TEST(RunBodies, ThatCannotRunLeaveNothingBehind) {
   EXPECT_THAT([&] { test::run(options); }, ThrowsMessage<InputError>(HasSubstr("body 'a' has no model")));
 }
 
+TEST(RunBodies, GetTheirNamesFromTheOutput) {
+  const test::RunFolder folder;
+  auto options = folder.prepare(time + "[[body]]\nname = 'a'\n[[body]]\nname = 'b'\n");
+  options.output = folder / "moved";
+  test::run(options);
+  EXPECT_THAT(folder.outputs(), ElementsAre("moved.a.h5", "moved.a.xdmf", "moved.b.h5", "moved.b.xdmf"));
+  for (const auto* no_file : {"", ".", "out/"}) {
+    options.output = no_file[0] == 'o' ? folder / "out/" : std::filesystem::path(no_file);
+    EXPECT_THAT([&] { test::run(options); }, ThrowsMessage<InputError>(HasSubstr("is a folder"))) << no_file;
+  }
+}
+
+/// A model that no vertex of the scene concerns is read without its basis, whatever other bodies need.
+TEST(RunBodies, ReadWhatIsDoneToThemAlone) {
+  const test::RunFolder folder;
+  auto options = folder.prepare(time +
+                                "[[body]]\nname = 'a'\nmodel = 'model.other.h5'\n[[body]]\nname = 'b'\n"
+                                "[[probe]]\nname = 'p'\nbody = 'a'\nvertex = 20\n");
+  format::write(folder / "model.other.h5", test::nonlinear_sample_model());
+  {
+    const format::File file(H5Fopen(options.model.c_str(), H5F_ACC_RDWR, H5P_DEFAULT));
+    const format::Dataset column(H5Dopen2(file.get(), "/bodies/body/basis/columns/0001", H5P_DEFAULT));
+    const std::vector<double> other(12, 7.);  // whoever reads it meets a wrong checksum
+    ASSERT_GE(H5Dwrite(column.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, other.data()), 0);
+  }
+  options.frames = 0;
+  test::run(options);
+  EXPECT_THAT(folder.outputs(), ElementsAre("motion.a.h5", "motion.b.h5", "probes.csv"));
+}
+
 }  // namespace
 }  // namespace ritz::tools

@@ -1,6 +1,6 @@
 // The internal force f̃(z) of a reduced model: linear (small displacements) or polynomial; of a body at rest or of one
-// that a rigid frame carries. A new kind is one struct with size(), make_evaluation and evaluate, and one alternative
-// of InternalForce.
+// that a rigid frame carries. A new kind is one struct with size(), make_evaluation, evaluate and stiffness_at_rest,
+// and one alternative of InternalForce.
 #pragma once
 #include <array>
 #include <variant>
@@ -25,6 +25,11 @@ Evaluation<Scalar> make_evaluation(const LinearForce<Scalar>& force);
 /// As evaluate of an InternalForce below.
 template <class Scalar>
 void evaluate(const LinearForce<Scalar>& force, const VectorRef<Scalar>& z, Evaluation<Scalar>& result);
+/// K̃(0).
+template <class Scalar>
+Matrix<Scalar> stiffness_at_rest(const LinearForce<Scalar>& force);
+template <class Scalar>
+Matrix<Scalar> stiffness_at_rest(const PolynomialForce<Scalar>& force);
 
 /// The internal force of a body that a rigid frame carries, over the 6 + r coordinates of the frame's motion and of z
 /// (frame.hpp). Moving the frame deforms nothing, so that the first six components are 0.
@@ -43,6 +48,9 @@ Evaluation<Scalar> make_evaluation(const CarriedForce<Scalar>& force);
 /// As evaluate of an InternalForce; `q` and the results have 6 + r coordinates.
 template <class Scalar>
 void evaluate(const CarriedForce<Scalar>& force, const VectorRef<Scalar>& q, Evaluation<Scalar>& result);
+/// K̃(0).
+template <class Scalar>
+Matrix<Scalar> stiffness_at_rest(const CarriedForce<Scalar>& force);
 
 /// The internal force of a model, of any kind.
 template <class Scalar>
@@ -69,7 +77,9 @@ void evaluate(const InternalForce<Scalar>& force, const VectorRef<Scalar>& z, Ev
 
 /// K̃(0), r x r, 1/s².
 template <class Scalar>
-Matrix<Scalar> stiffness_at_rest(const InternalForce<Scalar>& force);
+Matrix<Scalar> stiffness_at_rest(const InternalForce<Scalar>& force) {
+  return std::visit([](const auto& f) { return stiffness_at_rest(f); }, force);
+}
 
 /// The mean of the internal force over the straight line from z to z + d, and its work arrays.
 template <class Scalar>

@@ -38,7 +38,8 @@ using PositionForce =
     std::function<void(const Configuration<Scalar>& at, Scalar s, Vector<Scalar>& force, Matrix<Scalar>& tangent)>;
 
 /// The reduced load over a step: Uᵀf, linear in time from `begin` to `end`, r numbers each; and a force that depends on
-/// the position, if any.
+/// the position, if any. For a carried body `begin` and `end` have 6 + r numbers by the axes of the frame and turn with
+/// it; weight, whose direction is fixed, is a force of position.
 template <class Scalar>
 struct StepLoad {
   VectorRef<Scalar> begin;
@@ -121,7 +122,7 @@ Workspace<Scalar> make_workspace(const Model<Scalar>& model, const Integrator& i
 
 /// The state with the given z and z' under the load `load`, r numbers each. Where the integrator needs the acceleration
 /// a, it solves M a = load − D z' − f̃(z) − h. The frame of a carried body is at the origin; assign another one
-/// afterwards.
+/// afterwards, with a quaternion of unit length. `load` is by the axes of that frame.
 template <class Scalar>
 State<Scalar> make_state(const Model<Scalar>& model, const Integrator& integrator, VectorRef<Scalar> z,
                          VectorRef<Scalar> velocity, VectorRef<Scalar> load);
