@@ -3,6 +3,7 @@
 #include "ritz/app/plausible.hpp"
 #include "ritz/app/resources.hpp"
 #include "ritz/files/summary.hpp"
+#include "ritz/format/summaries.hpp"
 #include "ritz/parallel/comm.hpp"
 
 namespace ritz::app {
@@ -12,13 +13,10 @@ using files::Json;
 files::Json::Object summary_head(MPI_Comm comm, const char* program, const config::Config& config,
                                  const Progress& progress) {
   const Memory memory = peak_memory(comm);
-  Json::Array stages;
-  for (const auto& [stage, seconds] : progress.seconds())
-    stages.emplace_back(Json::Object{{"stage", stage}, {"seconds", seconds}});
   return files::summary_head({.program = program,
                               .ranks = parallel::size(comm),
                               .output = config.output.string(),
-                              .stages = std::move(stages),
+                              .stages = format::summary(progress.seconds()),
                               .largest_rank = memory.largest_rank,
                               .all_ranks = memory.all_ranks,
                               .warnings = progress.warnings()});

@@ -26,6 +26,12 @@ Json::Object certificate_members(const model::Certificate& certificate) {
 
 }  // namespace
 
+Json::Array summary(const std::vector<model::StageTime>& stages) {
+  Json::Array list;
+  for (const auto& [stage, seconds] : stages) list.emplace_back(Json::Object{{"stage", stage}, {"seconds", seconds}});
+  return list;
+}
+
 Json::Object summary(const model::Modes& modes, const model::Inertia* over_modes) {
   const auto rigid = std::ranges::count(modes.kinds, model::ModeKind::rigid);
   Json::Array kinds, frequencies;

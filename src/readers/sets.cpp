@@ -5,8 +5,8 @@
 #include <optional>
 #include <set>
 
-#include "ritz/base/shown.hpp"
 #include "ritz/base/set_name.hpp"
+#include "ritz/base/shown.hpp"
 
 namespace ritz::readers {
 

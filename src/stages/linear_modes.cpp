@@ -12,8 +12,8 @@
 #include "ritz/stages/canonical.hpp"
 #include "ritz/stages/eigen_strategy.hpp"
 #include "ritz/stages/fixed_vectors.hpp"
-#include "ritz/stages/rigid_modes.hpp"
 #include "ritz/stages/internal_force.hpp"
+#include "ritz/stages/rigid_modes.hpp"
 
 namespace ritz::stages {
 namespace {

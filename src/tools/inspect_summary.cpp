@@ -4,11 +4,11 @@
 #include <utility>
 
 #include "inspect_body.hpp"
+#include "ritz/files/part_file.hpp"
 #include "ritz/files/summary.hpp"
 #include "ritz/format/names.hpp"
 #include "ritz/format/parts.hpp"
 #include "ritz/format/summaries.hpp"
-#include "run_tables.hpp"
 
 namespace ritz::tools {
 namespace {
@@ -70,13 +70,10 @@ Json loads(const std::vector<model::SetLoad>& loads) {
 }
 
 Json report(const model::Report& report) {
-  Json::Array stages;
-  for (const auto& [stage, seconds] : report.seconds)
-    stages.emplace_back(Json::Object{{"stage", stage}, {"seconds", seconds}});
   Json::Object figures;
   for (const auto& [name, value] : report.figures) figures.emplace_back(name, value);
   return Json::Object{
-      {"stages", std::move(stages)}, {"figures", std::move(figures)}, {"notes", json_list(report.notes)}};
+      {"stages", format::summary(report.seconds)}, {"figures", std::move(figures)}, {"notes", json_list(report.notes)}};
 }
 
 template <class Part>
@@ -140,9 +137,8 @@ files::Claim claim_summary(const std::filesystem::path& path, const std::filesys
 }
 
 void write_summary(const files::Json& summary, const std::filesystem::path& path, const files::Claim& claim) {
-  TableFile file(path);
-  file.out() << files::json_text(summary);
-  file.check();
+  files::PartFile file(path);
+  file.write(files::json_text(summary));
   file.finish();
   claim.verify();
   file.publish();

@@ -232,7 +232,7 @@ void animate(const RunOptions& options, std::ostream& out) {
     throw InputError("mode " + std::to_string(index + 1) + " is rigid and does not swing; the flexible ones start at " +
                      std::to_string(flexible + 1));
   }
-  const double frequency = std::sqrt(body.modes->eigenvalues[index]) / (2 * M_PI);
+  const double frequency = model::frequency(body.modes->eigenvalues[index]);
   const std::int64_t states = options.frames.value_or(40);
   if (states < 1) throw InputError("--animate-mode needs at least one frame: --frames 0 leaves nothing to see");
 

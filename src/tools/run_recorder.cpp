@@ -23,10 +23,7 @@ void Recorder::add_timing(const std::filesystem::path& path) { timing_.emplace(p
 
 void Recorder::add_summary(const std::filesystem::path& path) { summary_.emplace(path); }
 
-void Recorder::summary(const std::string& text) {
-  summary_->out() << text;
-  summary_->check();
-}
+void Recorder::summary(const std::string& text) { summary_->write(text); }
 
 void Recorder::record(std::size_t body, double t, Eigen::Ref<const Eigen::VectorXd> z) {
   auto& motion = motions_[body];

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ritz/files/claim.hpp"
+#include "ritz/files/part_file.hpp"
 #include "ritz/format/motion.hpp"
 #include "ritz/model/model.hpp"
 #include "run_tables.hpp"
@@ -58,7 +59,7 @@ class Recorder {
   std::deque<Motion> motions_;
   std::optional<ProbeWriter> probes_;
   std::optional<TimingWriter> timing_;
-  std::optional<TableFile> summary_;
+  std::optional<files::PartFile> summary_;
   world::StepCost cost_;  ///< of the bodies so far
 };
 

@@ -17,9 +17,9 @@ class TableFile {
   /// Throws InputError when the file cannot be created.
   explicit TableFile(const std::filesystem::path& path);
 
-  /// To which a row is written, 15 digits a number.
+  /// The stream to which rows are written, with 15 digits for each number.
   std::ostream& out() { return out_; }
-  /// After each row. Throws NumericalError when the disk did not take what it was given so far.
+  /// To be called after each row. Throws NumericalError when the disk did not take what it was given so far.
   void check();
 
   /// Closes it and brings it to the disk. Throws NumericalError when not all could be written.
@@ -40,11 +40,11 @@ struct ProbedBody {
 /// probes.csv: t,NAME_ux,NAME_uy,NAME_uz,... with one row for each state, 15 significant digits.
 class ProbeWriter {
  public:
-  /// Columns stand in the scene's order, whosever they are. Throws InputError when the file cannot be created.
+  /// The columns are in the order of the scene. Throws InputError when the file cannot be created.
   ProbeWriter(const std::filesystem::path& path, const std::vector<scene::Probe>& probes,
               std::vector<ProbedBody> bodies);
 
-  /// The state of a body, counted as they were given; that of the last body completes the row.
+  /// Takes the state of body number `body`; that of the last body completes the row.
   void take(std::size_t body, double t, Eigen::Ref<const Eigen::VectorXd> z);
   TableFile& table() { return table_; }
 
@@ -60,7 +60,7 @@ class ProbeWriter {
   Eigen::VectorXd row_;
 };
 
-/// t,microseconds,iterations,rejected with a row a step.
+/// t,microseconds,iterations,rejected with one row for each step.
 class TimingWriter {
  public:
   /// Throws InputError when the file cannot be created.

@@ -4,6 +4,7 @@ import signal
 import sys
 import unittest
 import xml.etree.ElementTree as xml
+from pathlib import Path
 
 import h5py
 import numpy as np
@@ -42,6 +43,23 @@ class RitzRun(InAFolder):
         self.assertEqual(len(result.err.strip().splitlines()), 1, result.err)
         self.assertEqual(result.out, "")
         self.assertEqual(self.outputs(), set())
+
+    def test_the_summary_of_several_bodies_says_of_each_what_it_says_of_one(self):
+        self.move("model.h5", "--scene", "scene.toml", "--summary", "summary.json")
+        alone = self.bench.summary("summary.json")
+        body = '[[body]]\nname = "{}"\n'
+        self.write("scene.toml", body.format("a") + body.format("b") +
+                   SCENE.replace('set = "tip"', 'body = "b"\nset = "tip"'))
+        self.move("model.h5", "--scene", "scene.toml", "--summary", "summary.json")
+        together = self.bench.summary("summary.json")
+        self.assertNotIn("steps", together)
+        self.assertEqual([body["name"] for body in together["bodies"]], ["a", "b"])
+        for body in together["bodies"]:
+            self.assertEqual(set(body) - {"name", "output"}, set(alone) - set(together))
+            self.assertEqual(Path(body["output"]).name, f"motion.{body['name']}.h5")
+            self.assertIn(Path(body["output"]).name, self.files())
+            for key in ("model", "analysis", "integrator", "coordinates", "steps", "frames", "energy"):
+                self.assertEqual(body[key], alone[key], key)
 
     def test_the_summary_says_what_is_printed(self):
         self.write("scene.toml", SCENE + "[damping]\nratio = 2\n")

@@ -1,5 +1,6 @@
 // A folder with the sample model, scenes and what a run leaves behind.
 #pragma once
+#include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -54,6 +55,14 @@ class RunFolder {
  private:
   std::filesystem::path path_;
 };
+
+/// Gives the first column of a model's basis other numbers, so that whoever reads it meets a wrong checksum.
+inline void spoil_basis(const std::filesystem::path& model) {
+  const format::File file(H5Fopen(model.c_str(), H5F_ACC_RDWR, H5P_DEFAULT));
+  const format::Dataset column(H5Dopen2(file.get(), "/bodies/body/basis/columns/0001", H5P_DEFAULT));
+  const std::vector<double> other(12, 7.);
+  ASSERT_GE(H5Dwrite(column.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, other.data()), 0);
+}
 
 /// What a run says, its warnings after the rest.
 inline std::string run(const tools::RunOptions& options) {
