@@ -21,7 +21,8 @@ function(ritz_layer name)
   file(MAKE_DIRECTORY "${root}/ritz")
   file(CREATE_LINK "${headers}" "${root}/ritz/${folder}" SYMBOLIC)
 
-  file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/${folder}/*.cpp")
+  file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/${folder}/*.cpp"
+    "${PROJECT_SOURCE_DIR}/src/${folder}/*/*.cpp")
   list(FILTER sources EXCLUDE REGEX "_main\\.cpp$")
   set(target ritz_${name})
   if(sources)

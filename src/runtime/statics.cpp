@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "eigenvalues.hpp"
+#include "ritz/runtime/symmetric_eigen.hpp"
 
 namespace ritz::runtime {
 namespace {

@@ -1,6 +1,5 @@
 #include "ritz/world/rigid_motions.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <set>
 
 #include "ritz/fem/cell.hpp"
+#include "ritz/runtime/symmetric_eigen.hpp"
 #include "ritz/world/loads.hpp"
 
 namespace ritz::world {
@@ -126,15 +126,15 @@ struct Unseen {
 };
 
 Unseen unseen_motions(const model::Inertia& inertia) {
-  Eigen::Matrix<double, 6, 6> G = Eigen::Matrix<double, 6, 6>::Zero();
+  Eigen::MatrixXd G = Eigen::MatrixXd::Zero(6, 6);
   G.topLeftCorner<3, 3>().diagonal().setConstant(inertia.mass());
   G.bottomRightCorner<3, 3>() = inertia.tensor();
-  const Eigen::Matrix<double, 6, 6> scaling =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>>(G).operatorInverseSqrt();
+  const auto [weights, axes] = runtime::symmetric_eigen(G);
+  const Eigen::MatrixXd scaling = axes * weights.cwiseSqrt().cwiseInverse().asDiagonal() * axes.transpose();
   const Eigen::MatrixXd seen = inertia.rigid_coupling() * scaling;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> shares(seen.transpose() * seen);
-  const auto count = (shares.eigenvalues().array() < unseen).count();
-  return {scaling, shares.eigenvectors().leftCols(count).transpose() * scaling};
+  const auto [shares, directions] = runtime::symmetric_eigen(seen.transpose() * seen);
+  const auto count = (shares.array() < unseen).count();
+  return {scaling, directions.leftCols(count).transpose() * scaling};
 }
 
 /// Loads that share a factor over time.

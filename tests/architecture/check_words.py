@@ -34,7 +34,7 @@ def check(root):
         return
     words = user_words(names)
     for layer in LAYERS:
-        for path in sorted(p for top in ("src", "include/ritz") for p in (root / top / layer).glob("*.[ch]pp")):
+        for path in sorted(p for top in ("src", "include/ritz") for p in (root / top / layer).rglob("*.[ch]pp")):
             for number, line in enumerate(path.read_text().splitlines(), 1):
                 for said in words.findall(spoken(line)):
                     yield f"{path.relative_to(root)}:{number}: '{said}' is a word of the program's user"

@@ -5,6 +5,7 @@
 
 #include "fem/sample_cells.hpp"
 #include "ritz/fem/geometry.hpp"
+#include "support/dense_algebra.hpp"
 
 namespace ritz::fem::testing {
 namespace {
@@ -41,7 +42,7 @@ TYPED_TEST(Mass, IsExactlySymmetricAndPositiveDefinite) {
   for (const auto& x : {straight_cell<TypeParam>(8), curved_cell<TypeParam>(8)}) {
     const auto M = mass_of<TypeParam>(x);
     EXPECT_EQ(M, Eigen::MatrixXd(M.transpose()));
-    EXPECT_EQ(M.llt().info(), Eigen::Success);
+    EXPECT_GT(test::symmetric_eigenvalues(M).minCoeff(), 0);
   }
 }
 

@@ -11,9 +11,8 @@ double largest_sine(const Eigen::MatrixXd& M, const Eigen::MatrixXd& A, const Ei
   return std::sqrt(std::max(0.0, symmetric_eigenvalues(rest.transpose() * M * rest).maxCoeff()));
 }
 
-DenseModes dense_modes(const Problem& p) {
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(dense(p.matrices.stiffness),
-                                                                        dense(p.matrices.mass));
+DenseModes dense_modes(const Eigen::MatrixXd& K, const Eigen::MatrixXd& M) {
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(K, M);
   return {eigen.eigenvalues(), eigen.eigenvectors()};
 }
 

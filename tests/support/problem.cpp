@@ -51,6 +51,8 @@ fem::Materials neo_hookean(fem::Materials materials) {
   return materials;
 }
 
+DenseModes dense_modes(const Problem& p) { return dense_modes(dense(p.matrices.stiffness), dense(p.matrices.mass)); }
+
 mesh::Mesh box(const std::string& text) {
   mesh::Source source;
   source.mesh = mesh::parse_box(text);

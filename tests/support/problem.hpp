@@ -4,6 +4,7 @@
 
 #include "ritz/mesh/read.hpp"
 #include "ritz/stages/linear_modes.hpp"
+#include "support/dense_algebra.hpp"
 
 namespace ritz::test {
 
@@ -42,6 +43,9 @@ void expect_sound(const Problem& p, const stages::ModesOptions& options, const s
 int rigid_count(const model::Modes& modes);
 Eigen::VectorXd flexible(const model::Modes& modes);     ///< eigenvalues λ
 Eigen::VectorXd frequencies(const model::Modes& modes);  ///< of the flexible modes, Hz
+
+/// All modes of the dense matrices, on every rank. *Collective*.
+DenseModes dense_modes(const Problem& p);
 
 /// The whole matrix, on every rank. *Collective*.
 Eigen::MatrixXd dense(Mat A);

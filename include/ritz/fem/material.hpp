@@ -1,6 +1,6 @@
 // The materials of a body: each is one of the laws, with a density.
 //
-// A new law is one file in laws/, and its name in the list below.
+// A new law is a header and a source in laws/, and its name in the list below.
 #pragma once
 #include <functional>
 #include <optional>

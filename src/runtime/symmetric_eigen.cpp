@@ -1,8 +1,13 @@
-#include "eigenvalues.hpp"
+#include "ritz/runtime/symmetric_eigen.hpp"
 
 #include <Eigen/Eigenvalues>
 
 namespace ritz::runtime {
+
+SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& symmetric) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(symmetric);
+  return {eigen.eigenvalues(), eigen.eigenvectors()};
+}
 
 Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& symmetric) {
   return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric, Eigen::EigenvaluesOnly).eigenvalues();
