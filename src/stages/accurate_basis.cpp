@@ -45,7 +45,7 @@ struct ReducedPath {
   Eigen::ArrayXd squares;  ///< ‖u‖²_M
 };
 
-ReducedPath seen_from(const algebra::Tall& U, Mat M, MPI_Comm comm, const StaticPath& path) {
+ReducedPath seen_from(const algebra::Tall& U, const algebra::Matrix& M, MPI_Comm comm, const StaticPath& path) {
   const algebra::Tall massive = algebra::multiply(M, path.truth);
   return {algebra::inner(comm, U, path.loads), algebra::inner(comm, U, massive),
           algebra::inner(comm, path.truth, massive).diagonal().array()};

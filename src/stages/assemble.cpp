@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "ritz/algebra/matrix.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/base/shown.hpp"
 #include "ritz/fem/mass.hpp"
@@ -83,7 +84,7 @@ algebra::Rows scalar_mass_rows(const mesh::Mesh& mesh, const Sums& sums) {
 /// Squares and quotients of numbers beyond these leave double precision, and what is made of them has no digits.
 void refuse_extremes(const Matrices& matrices) {
   constexpr double least = 1e-120, most = 1e120;
-  const double stiffness = one_norm(matrices.stiffness), mass = one_norm(matrices.scalar_mass);
+  const double stiffness = algebra::one_norm(matrices.stiffness), mass = algebra::one_norm(matrices.scalar_mass);
   for (const double value : {stiffness, mass, stiffness / mass})
     if (!(value >= least && value <= most))
       throw NumericalError("the stiffness and the mass of the body, of the order of " + shown(stiffness, 3) +

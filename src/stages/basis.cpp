@@ -37,7 +37,7 @@ EnteringModes entering_modes(const ModesResult& modes, const std::vector<int>& c
 
 namespace {
 
-void add_snapshots(Mat M, const algebra::ConstTallRef& snapshots, const Cut& cut, Principal& set) {
+void add_snapshots(const algebra::Matrix& M, const algebra::ConstTallRef& snapshots, const Cut& cut, Principal& set) {
   if (snapshots.cols() == 0) return;
   double scale = 1;
   if (set.sigma.size() > 0) {

@@ -3,9 +3,8 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 
-#include "ritz/algebra/check.hpp"
 #include "ritz/algebra/dense.hpp"
-#include "ritz/algebra/handle.hpp"
+#include "ritz/algebra/matrix.hpp"
 
 namespace ritz::stages {
 namespace {
@@ -16,18 +15,14 @@ using Eigen::MatrixXd;
 constexpr double well_conditioned = 1e-4;  ///< of a block's Cholesky factor, so that one normalisation is enough
 
 /// The M-complement's dimension.
-Index dimension(Mat M, Index locked) {
-  PetscInt total = 0;
-  algebra::check(MatGetSize(M, &total, nullptr));
-  return static_cast<Index>(total) - locked;
-}
+Index dimension(const algebra::Matrix& M, Index locked) { return static_cast<Index>(algebra::rows(M)) - locked; }
 
 /// The growing basis V, T = Vᵀ M Op V, and the pending block that Op has not seen yet. Columns of `basis_`: the locked
 /// ones, then V, then the pending block.
 class Krylov {
  public:
-  Krylov(Mat M, const Operator& op, const algebra::ConstTallRef& locked, const algebra::ConstTallRef& start,
-         const LanczosOptions& options)
+  Krylov(const algebra::Matrix& M, const Operator& op, const algebra::ConstTallRef& locked,
+         const algebra::ConstTallRef& start, const LanczosOptions& options)
       : M_(M),
         op_(op),
         start_(start),
@@ -144,7 +139,7 @@ class Krylov {
     return x;
   }
 
-  Mat M_;
+  const algebra::Matrix& M_;
   const Operator& op_;
   algebra::ConstTallRef start_;
   Index space_, locked_, block_, capacity_;
@@ -159,7 +154,7 @@ class Krylov {
 
 }  // namespace
 
-LanczosResult block_lanczos(Mat M, const Operator& op, const algebra::ConstTallRef& locked,
+LanczosResult block_lanczos(const algebra::Matrix& M, const Operator& op, const algebra::ConstTallRef& locked,
                             const algebra::ConstTallRef& start, const LanczosOptions& given, const Progress& progress) {
   LanczosOptions options = given;
   if (options.columns == 0) options.columns = std::max(2 * options.wanted, options.wanted + 20 * options.block);

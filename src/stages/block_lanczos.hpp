@@ -32,7 +32,7 @@ using Progress = std::function<void(int converged, int wanted)>;
 /// 1/θ. `start` has the columns of the first block; further columns are used in turn. Two passes of full
 /// orthogonalisation prevent spurious copies of eigenvalues, and a block that lost rank is refilled. [Grimes, Lewis,
 /// Simon 1994; Wu, Simon 2000].
-LanczosResult block_lanczos(Mat M, const Operator& op, const algebra::ConstTallRef& locked,
+LanczosResult block_lanczos(const algebra::Matrix& M, const Operator& op, const algebra::ConstTallRef& locked,
                             const algebra::ConstTallRef& start, const LanczosOptions& options,
                             const Progress& progress);
 

@@ -28,7 +28,8 @@ int largest_group(const Eigen::VectorXd& values) {
   return static_cast<int>(largest);
 }
 
-void make_canonical(Mat M, const Eigen::VectorXd& values, const algebra::ConstTallRef& W, algebra::TallRef vectors) {
+void make_canonical(const algebra::Matrix& M, const Eigen::VectorXd& values, const algebra::ConstTallRef& W,
+                    algebra::TallRef vectors) {
   const MPI_Comm comm = algebra::comm_of(M);
   const Eigen::MatrixXd C = algebra::inner(comm, algebra::multiply(M, W), vectors);
   for (Eigen::Index i = 0, end = 0; i < values.size(); i = end) {

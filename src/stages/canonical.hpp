@@ -12,7 +12,8 @@ inline constexpr double cluster_gap = 1e-6;  ///< relative; closer eigenvalues f
 /// eigenvalues that agree to 1e-9, is symmetric positive definite (such eigenvalues are so close that any basis of the
 /// group has equally small residuals). W is made from vertex numbers of the file (fixed_vectors) and has at least as
 /// many columns as the largest group.
-void make_canonical(Mat M, const Eigen::VectorXd& values, const algebra::ConstTallRef& W, algebra::TallRef vectors);
+void make_canonical(const algebra::Matrix& M, const Eigen::VectorXd& values, const algebra::ConstTallRef& W,
+                    algebra::TallRef vectors);
 
 /// The size of the largest such group.
 int largest_group(const Eigen::VectorXd& values);

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <span>
 
-#include "ritz/algebra/check.hpp"
 #include "ritz/algebra/dense.hpp"
+#include "ritz/algebra/matrix.hpp"
 #include "ritz/fem/mass.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/stages/each_cell.hpp"
@@ -36,16 +36,8 @@ double mass_ratio(const Problem& problem) {
 class InverseMassNorm {
  public:
   explicit InverseMassNorm(const Problem& problem) : comm_(problem.mesh.comm) {
-    algebra::Vector diagonal;
-    const PetscScalar* values = nullptr;
-    PetscInt rows = 0;
-    const Mat M = problem.matrices.mass;
-    algebra::check(MatGetLocalSize(M, &rows, nullptr));
-    algebra::check(MatCreateVecs(M, nullptr, diagonal.out()));
-    algebra::check(MatGetDiagonal(M, diagonal));
-    algebra::check(VecGetArrayRead(diagonal, &values));
-    inverse_root_ = (Eigen::Map<const Eigen::ArrayXd>(values, rows) * mass_ratio(problem)).sqrt().inverse().matrix();
-    algebra::check(VecRestoreArrayRead(diagonal, &values));
+    const Eigen::ArrayXd diagonal = algebra::diagonal(problem.matrices.mass).array();
+    inverse_root_ = (diagonal * mass_ratio(problem)).sqrt().inverse().matrix();
   }
 
   Eigen::ArrayXd operator()(const algebra::Tall& b) const {
@@ -129,7 +121,7 @@ DerivativeCounts derivatives(const DerivativesSource& source, int columns, const
   const algebra::Tall rigid = rigid_modes(found);
   const mesh::LocalRows local = mesh::with_ghosts(mesh, mesh::to_vertices(mesh, dofs, flexible), mesh::components);
   const InverseBound bound(problem, found);
-  const double norm_K = one_norm(matrices.stiffness);
+  const double norm_K = algebra::one_norm(matrices.stiffness);
   const algebra::Tall massive = algebra::multiply(matrices.mass, rigid);
   const int modes = static_cast<int>(flexible.cols());
   DerivativeCounts counts;

@@ -1,5 +1,6 @@
 #include "ritz/stages/elastic_scale.hpp"
 
+#include "ritz/algebra/matrix.hpp"
 #include "ritz/mesh/bounding_box.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/stages/rayleigh_ritz.hpp"
@@ -38,7 +39,7 @@ double elastic_scale(const Problem& problem, mesh::FreeRef rigid) {
   const auto& [mesh, dofs, materials, matrices] = problem;
   const auto pairs =
       rayleigh_ritz(matrices.stiffness, matrices.mass, rigid, mesh::from_vertices(mesh, dofs, cubic_fields(mesh)));
-  if (pairs.values.size() == 0) return one_norm(matrices.stiffness) / one_norm(matrices.mass);
+  if (pairs.values.size() == 0) return algebra::one_norm(matrices.stiffness) / algebra::one_norm(matrices.mass);
   return pairs.values[0];
 }
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "ritz/algebra/check.hpp"
+#include "ritz/algebra/matrix.hpp"
 #include "ritz/algebra/solve_mass.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/base/shown.hpp"
@@ -109,13 +109,12 @@ class StepEquations {
   algebra::Tall residual(const algebra::Tall& d) const { return inertia(d) + damping(d) + internal(d) - rule_.load; }
 
   void tangent(const algebra::Tall& d) {
-    Mat J = model_.tangent.matrix;
+    const algebra::Matrix& J = model_.tangent.matrix;
     const Eigen::VectorXd weights = rule_.weights.cwiseProduct(rule_.points);
     fill_tangent(model_.tangent, model_.problem, weights, stations(d));
-    algebra::check(
-        MatAXPY(J, rule_.a + options_.alpha * rule_.v, model_.problem.matrices.mass, SUBSET_NONZERO_PATTERN));
-    if (options_.beta != 0)
-      algebra::check(MatAXPY(J, options_.beta * rule_.v, model_.problem.matrices.stiffness, SAME_NONZERO_PATTERN));
+    const auto& matrices = model_.problem.matrices;
+    algebra::add(J, rule_.a + options_.alpha * rule_.v, matrices.mass, algebra::Pattern::subset);
+    if (options_.beta != 0) algebra::add(J, options_.beta * rule_.v, matrices.stiffness, algebra::Pattern::same);
   }
 
   FullModel& model_;

@@ -42,7 +42,8 @@ mesh::VertexRows pressure_force(const mesh::Mesh& mesh, const mesh::Set& set, do
   return force;
 }
 
-mesh::VertexRows body_force(const mesh::Mesh& mesh, Mat scalar_mass, const Eigen::Vector3d& acceleration) {
+mesh::VertexRows body_force(const mesh::Mesh& mesh, const algebra::Matrix& scalar_mass,
+                            const Eigen::Vector3d& acceleration) {
   return spread(algebra::multiply(scalar_mass, algebra::Tall::Ones(mesh.owned, 1)), acceleration);
 }
 

@@ -19,6 +19,7 @@ mesh::VertexRows traction_force(const mesh::Mesh& mesh, const mesh::Set& set, co
 mesh::VertexRows pressure_force(const mesh::Mesh& mesh, const mesh::Set& set, double pascal);
 
 /// *Collective*. M g for an acceleration g (m/s²) that is the same everywhere; `scalar_mass` is that of Matrices.
-mesh::VertexRows body_force(const mesh::Mesh& mesh, Mat scalar_mass, const Eigen::Vector3d& acceleration);
+mesh::VertexRows body_force(const mesh::Mesh& mesh, const algebra::Matrix& scalar_mass,
+                            const Eigen::Vector3d& acceleration);
 
 }  // namespace ritz::stages

@@ -4,7 +4,7 @@
 #include "ritz/mesh/dofs.hpp"
 
 namespace ritz::stages {
-model::Inertia inertia(const mesh::Mesh& mesh, Mat scalar_mass, mesh::VertexRef u) {
+model::Inertia inertia(const mesh::Mesh& mesh, const algebra::Matrix& scalar_mass, mesh::VertexRef u) {
   const Eigen::Vector3d origin = mesh::bounding_box(mesh).middle();
   const Eigen::Index r = u.cols(), n = mesh.owned;
   algebra::Tall B(n, 4 + mesh::components * r);

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "ritz/algebra/check.hpp"
+#include "ritz/algebra/matrix.hpp"
 #include "ritz/algebra/multigrid.hpp"
 #include "ritz/algebra/panel.hpp"
 #include "ritz/base/error.hpp"
@@ -27,9 +27,8 @@ struct Cycle {
 
 /// K − σM, positive definite.
 algebra::Matrix shifted(const Matrices& matrices, double sigma) {
-  algebra::Matrix A;
-  algebra::check(MatDuplicate(matrices.stiffness, MAT_COPY_VALUES, A.out()));
-  if (sigma != 0) algebra::check(MatAXPY(A, -sigma, matrices.mass, SUBSET_NONZERO_PATTERN));
+  algebra::Matrix A = algebra::copy(matrices.stiffness);
+  if (sigma != 0) algebra::add(A, -sigma, matrices.mass, algebra::Pattern::subset);
   return A;
 }
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <numeric>
 
-#include "ritz/algebra/check.hpp"
+#include "ritz/algebra/matrix.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/base/shown.hpp"
 #include "ritz/stages/canonical.hpp"
@@ -229,7 +229,7 @@ void check_rigid_energies(const model::Modes& modes, Index rigid) {
 ModesResult linear_modes(const Problem& body, const ModesOptions& options, mesh::FreeRef earlier,
                          const ModesProgress& progress) {
   const algebra::Tall rigid = rigid_modes(body);
-  const EigenProblem problem{body, rigid, one_norm(body.matrices.stiffness)};
+  const EigenProblem problem{body, rigid, algebra::one_norm(body.matrices.stiffness)};
   Search search(problem, options, progress);
   if (options.count > 0 && flexible_modes(body.dofs, rigid) > 0) search.run(earlier);
   else search.found.pairs.vectors.resize(rigid.rows(), 0);

@@ -35,7 +35,7 @@ MatrixXd directions(const MatrixXd& C, const std::vector<Index>& columns) {
 }
 
 /// Takes rounding out of X and P.
-void refresh(Mat M, const algebra::ConstTallRef& locked, algebra::Tall& X, algebra::Tall& P) {
+void refresh(const algebra::Matrix& M, const algebra::ConstTallRef& locked, algebra::Tall& X, algebra::Tall& P) {
   algebra::Tall x = X;
   if (algebra::orthonormalise(M, locked, x) == X.cols()) X = x;
   P.conservativeResize(Eigen::NoChange, algebra::orthonormalise(M, joined(locked, X), P));
@@ -43,9 +43,9 @@ void refresh(Mat M, const algebra::ConstTallRef& locked, algebra::Tall& X, algeb
 
 }  // namespace
 
-LobpcgResult lobpcg(Mat K, Mat M, double norm_K, const BlockPreconditioner& precondition,
-                    const algebra::ConstTallRef& locked, const algebra::ConstTallRef& start,
-                    const LobpcgOptions& options, const LobpcgProgress& progress) {
+LobpcgResult lobpcg(const algebra::Matrix& K, const algebra::Matrix& M, double norm_K,
+                    const BlockPreconditioner& precondition, const algebra::ConstTallRef& locked,
+                    const algebra::ConstTallRef& start, const LobpcgOptions& options, const LobpcgProgress& progress) {
   const MPI_Comm comm = algebra::comm_of(K);
   RitzPairs x = rayleigh_ritz(K, M, locked, start);
   algebra::Tall P(start.rows(), 0);

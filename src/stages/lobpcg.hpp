@@ -30,8 +30,8 @@ using LobpcgProgress = std::function<void(int converged, int wanted)>;
 /// made orthogonal to X in coefficients [Knyazev 2001; Hetmaniuk, Lehoucq 2006]. The block is as wide as `start`, which
 /// has more columns than are wanted, to guard against missed modes. Pairs that meet their bound are not improved
 /// further. `norm_K` is ‖K‖₁.
-LobpcgResult lobpcg(Mat K, Mat M, double norm_K, const BlockPreconditioner& precondition,
-                    const algebra::ConstTallRef& locked, const algebra::ConstTallRef& start,
-                    const LobpcgOptions& options, const LobpcgProgress& progress);
+LobpcgResult lobpcg(const algebra::Matrix& K, const algebra::Matrix& M, double norm_K,
+                    const BlockPreconditioner& precondition, const algebra::ConstTallRef& locked,
+                    const algebra::ConstTallRef& start, const LobpcgOptions& options, const LobpcgProgress& progress);
 
 }  // namespace ritz::stages

@@ -42,7 +42,7 @@ double dispensable(const Principal& set, const Cut& cut) {
   return cut.size == 0 && set.sigma.size() > 0 ? cut.tolerance / 2 * set.sigma[0] : negligible(set, cut);
 }
 
-void add(Mat M, Principal& set, const algebra::ConstTallRef& block, const Cut& cut) {
+void add(const algebra::Matrix& M, Principal& set, const algebra::ConstTallRef& block, const Cut& cut) {
   if (block.cols() == 0) return;
   const MPI_Comm comm = algebra::comm_of(M);
   const Index old = set.sigma.size();

@@ -28,7 +28,7 @@ double negligible(const Principal& set, const Cut& cut);
 double dispensable(const Principal& set, const Cut& cut);
 
 /// *Collective*. Adds the columns of `block` and drops negligible directions [Brand 2002].
-void add(Mat M, Principal& set, const algebra::ConstTallRef& block, const Cut& cut);
+void add(const algebra::Matrix& M, Principal& set, const algebra::ConstTallRef& block, const Cut& cut);
 
 /// The number of directions that the cut keeps.
 int kept(const Principal& set, const Cut& cut);

@@ -2,13 +2,12 @@
 
 #include <limits>
 
-#include "ritz/algebra/check.hpp"
 #include "ritz/algebra/dense.hpp"
-#include "ritz/algebra/handle.hpp"
 
 namespace ritz::stages {
 
-RitzPairs rayleigh_ritz(Mat K, Mat M, const algebra::ConstTallRef& against, algebra::Tall x) {
+RitzPairs rayleigh_ritz(const algebra::Matrix& K, const algebra::Matrix& M, const algebra::ConstTallRef& against,
+                        algebra::Tall x) {
   const int kept = algebra::orthonormalise(M, against, x);
   const auto basis = x.leftCols(kept);
   const Eigen::MatrixXd product = algebra::inner(algebra::comm_of(K), basis, algebra::multiply(K, basis));
@@ -16,13 +15,7 @@ RitzPairs rayleigh_ritz(Mat K, Mat M, const algebra::ConstTallRef& against, alge
   return {std::move(values), algebra::combine(basis, vectors)};
 }
 
-double one_norm(Mat A) {
-  PetscReal norm = 0;
-  algebra::check(MatNorm(A, NORM_INFINITY, &norm));
-  return norm;
-}
-
-Residuals residuals(Mat K, Mat M, double norm_K, const RitzPairs& pairs) {
+Residuals residuals(const algebra::Matrix& K, const algebra::Matrix& M, double norm_K, const RitzPairs& pairs) {
   const MPI_Comm comm = algebra::comm_of(K);
   const algebra::Tall mx = algebra::multiply(M, pairs.vectors);
   algebra::Tall r = algebra::multiply(K, pairs.vectors);

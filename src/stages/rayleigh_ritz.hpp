@@ -11,7 +11,8 @@ struct RitzPairs {
 
 /// *Collective*. Diagonalises K over span(x), after M-orthonormalising x against the M-orthonormal columns `against`;
 /// columns that depend linearly on others are dropped.
-RitzPairs rayleigh_ritz(Mat K, Mat M, const algebra::ConstTallRef& against, algebra::Tall x);
+RitzPairs rayleigh_ritz(const algebra::Matrix& K, const algebra::Matrix& M, const algebra::ConstTallRef& against,
+                        algebra::Tall x);
 
 struct Residuals {
   Eigen::VectorXd relative;  ///< ‖Kψ − λMψ‖ / (λ‖Mψ‖)
@@ -20,12 +21,9 @@ struct Residuals {
 };
 
 /// *Collective*. The residuals of the pairs. `norm_K` is ‖K‖₁.
-Residuals residuals(Mat K, Mat M, double norm_K, const RitzPairs& pairs);
+Residuals residuals(const algebra::Matrix& K, const algebra::Matrix& M, double norm_K, const RitzPairs& pairs);
 
 inline constexpr double residual_gate = 1e-8;  ///< bound of a relative residual ‖Kψ − λMψ‖ / (λ‖Mψ‖)
 inline constexpr double orthonormality_gate = 1e-12;  ///< bound of max |XᵀMX − I| for modes and for a basis
-
-/// *Collective*. ‖A‖₁ = ‖A‖∞ of a symmetric matrix.
-double one_norm(Mat A);
 
 }  // namespace ritz::stages

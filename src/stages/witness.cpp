@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "ritz/algebra/matrix.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/base/random.hpp"
 #include "ritz/base/shown.hpp"
@@ -56,7 +57,7 @@ PolynomialErrors polynomial_witness(const Problem& problem, mesh::VertexRef u, c
   const algebra::Tall displaced = algebra::combine(u, z);
   const auto truth = internal_forces(problem, displaced);
   const Eigen::MatrixXd reduced = algebra::inner(mesh.comm, u, truth.forces);
-  const Eigen::ArrayXd rounding = 10 * epsilon * one_norm(matrices.stiffness) *
+  const Eigen::ArrayXd rounding = 10 * epsilon * algebra::one_norm(matrices.stiffness) *
                                   algebra::column_norms(mesh.comm, displaced).array() *
                                   algebra::column_norms(mesh.comm, u).maxCoeff();
   const auto forces = runtime::make_polynomial_force<double>(polynomial);
@@ -96,7 +97,7 @@ double taylor_slope(const DerivativesSource& source, mesh::FreeRef line, mesh::F
     algebra::subtract(remainder, algebra::multiply(matrices.mass, rigid), algebra::inner(mesh.comm, rigid, remainder));
   const Eigen::ArrayXd sizes = algebra::column_norms(mesh.comm, remainder).array();
   const Eigen::ArrayXd rounding =
-      epsilon * one_norm(matrices.stiffness) * algebra::column_norms(mesh.comm, path).array();
+      epsilon * algebra::one_norm(matrices.stiffness) * algebra::column_norms(mesh.comm, path).array();
   Index clear = 0;
   while (clear < sizes_tried && sizes[clear] > clear_of_rounding * rounding[clear]) ++clear;
   if (clear <= halvings) return std::numeric_limits<double>::quiet_NaN();

@@ -1,6 +1,7 @@
 // Different ways to the same modes: block Lanczos, SLEPc's Krylov-Schur, multigrid, and Eigen's dense solver.
 #include <gmock/gmock.h>
 
+#include "ritz/algebra/matrix.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/stages/inverse.hpp"
 #include "ritz/stages/rayleigh_ritz.hpp"
@@ -57,7 +58,7 @@ TEST_P(Strategies, KrylovSchurLeavesAnInverseToTheDerivatives) {
   const auto found = modes(p, slepc);
   const algebra::Tall psi = found.vectors.rightCols(1), rigid = found.vectors.leftCols(rigid_count(found.modes));
   const algebra::Tall b = algebra::multiply(p.matrices.mass, psi);
-  const auto x = stages::solve(p.matrices, found.inverse, rigid, stages::one_norm(p.matrices.stiffness), b).x;
+  const auto x = stages::solve(p.matrices, found.inverse, rigid, algebra::one_norm(p.matrices.stiffness), b).x;
   const algebra::Tall expected = psi / found.modes.eigenvalues.tail(1)[0];  // Kψ = λMψ
   EXPECT_LE(algebra::column_norms(p.mesh.comm, x - expected)[0],
             1e-7 * algebra::column_norms(p.mesh.comm, expected)[0]);
