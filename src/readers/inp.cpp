@@ -21,12 +21,22 @@ void leave_out(const Sources& sources, Place place, const std::vector<std::strin
   leave_out(sources, place, ignored != words.end() ? *ignored : words.front(), what, model.ignored, model.mesh);
 }
 
+void read_keywords(Deck& deck, const std::string& end, Place begin, InpModel& model) {
+  while (const auto keyword = deck.next_keyword()) {
+    if (keyword->name == end) return;
+    inp_handler(keyword->name)(deck, *keyword, model);
+  }
+  if (!end.empty())
+    deck.fail(begin, "the file ends before the *" + end.substr(0, 3) + " " + end.substr(3) + " of this line");
+}
+
 FileMesh read_inp(Sources& sources, unsigned file, const Ignored& ignored) {
   Deck deck(sources, file);
   InpModel model;
   model.ignored = ignored;
-  while (const auto keyword = deck.next_keyword()) inp_handler(keyword->name)(deck, *keyword, model);
+  read_keywords(deck, {}, {}, model);
   choose_supports(sources, model);
+  note_instances(model);
   return resolve_inp(sources, std::move(model));
 }
 

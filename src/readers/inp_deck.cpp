@@ -85,7 +85,10 @@ std::optional<std::string> Keyword::value(std::string_view parameter) const {
 
 std::optional<Line> Deck::next_line() {
   auto line = lines_.next();
-  while (line && (line->text.empty() || line->text.starts_with("**"))) line = lines_.next();
+  for (; line; line = lines_.next()) {
+    characters_read_ += line->text.size() + 1;
+    if (!line->text.empty() && !line->text.starts_with("**")) break;
+  }
   return line;
 }
 

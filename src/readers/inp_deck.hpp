@@ -20,7 +20,8 @@ struct Keyword {
 
 /// Iterates over the lines of a deck, without comments and blank lines, and follows *INCLUDE. A keyword line that ends
 /// in a comma continues on the next line if every field there is a parameter (WORD=value, or a flag that the keyword
-/// knows); otherwise that line is data, as CalculiX and many writers of decks mean it.
+/// knows); otherwise that line is data, as CalculiX and many writers of decks mean it. A copy reads the same lines
+/// again.
 class Deck {
  public:
   Deck(Sources& sources, unsigned file) : lines_(sources, file) {}
@@ -29,6 +30,9 @@ class Deck {
   std::optional<Keyword> next_keyword();
   /// The next data line of this keyword.
   std::optional<Line> next_data();
+
+  /// The characters of all lines read so far.
+  std::size_t characters_read() const { return characters_read_; }
 
   const Sources& sources() const { return lines_.sources(); }
   Cursor cursor(const Line& line) const { return lines_.cursor(line); }
@@ -40,6 +44,7 @@ class Deck {
   void read_continuation(Keyword& keyword);
 
   Lines lines_;
+  std::size_t characters_read_ = 0;
   std::optional<Line> ahead_;
   bool started_ = false;
 };

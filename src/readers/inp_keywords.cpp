@@ -15,7 +15,10 @@ struct Obeyed {
   InpHandler handler;
 };
 
-constexpr Obeyed obeyed[] = {{"NODE", read_inp_node},
+constexpr Obeyed obeyed[] = {{"PART", read_inp_part},
+                             {"ASSEMBLY", read_inp_assembly},
+                             {"INSTANCE", read_inp_instance},
+                             {"NODE", read_inp_node},
                              {"ELEMENT", read_inp_element},
                              {"NSET", read_inp_nset},
                              {"ELSET", read_inp_elset},
@@ -199,9 +202,9 @@ void note_inelastic(Deck& deck, const Keyword& keyword, InpModel& model) {
                                " is passed over: the materials of ritz stay elastic, however large the strains");
 }
 
-void refuse_assembly(Deck& deck, const Keyword& keyword, InpModel&) {
-  deck.fail(keyword.place, "parts and assemblies (*" + keyword.title + ") are not supported; flatten the model " +
-                               "(write the input file without parts and assemblies)");
+// Those that are met where they belong never come here.
+void refuse_end(Deck& deck, const Keyword& keyword, InpModel&) {
+  deck.fail(keyword.place, "*" + keyword.title + " ends nothing that has begun");
 }
 
 void refuse(Deck& deck, const Keyword& keyword, InpModel& model) {
@@ -235,7 +238,7 @@ std::map<std::string, InpHandler, std::less<>> all_handlers() {
   for (auto& name : words_of(harmless)) table.emplace(std::move(name), pass_over);
   for (auto& name : words_of(inelastic)) table.emplace(std::move(name), note_inelastic);
   for (const auto& keyword : refused) table.emplace(keyword.name, refuse);
-  for (const char* const name : {"PART", "INSTANCE", "ASSEMBLY"}) table.emplace(name, refuse_assembly);
+  for (const char* const name : {"ENDPART", "ENDINSTANCE", "ENDASSEMBLY"}) table.emplace(name, refuse_end);
   return table;
 }
 

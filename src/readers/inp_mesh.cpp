@@ -161,9 +161,9 @@ void read_vertices(Deck& deck, Line line, Cursor cursor, Index id, std::span<Ind
 }
 
 // The set that a keyword's parameter names, if it has one.
-InpSet* parameter_set(InpSets& sets, const Keyword& keyword, std::string_view parameter) {
+InpSet* parameter_set(const InpScope& scope, InpSets& sets, const Keyword& keyword, std::string_view parameter) {
   const auto name = keyword.value(parameter);
-  return name ? &sets.sets[sets.made(*name)] : nullptr;
+  return name ? &sets.sets[sets.made(full_name(scope, *name))] : nullptr;
 }
 
 // "number, x, y, z" and perhaps a normal: a coordinate that is blank or absent is 0.
@@ -204,19 +204,20 @@ void read_inp_node(Deck& deck, const Keyword& keyword, InpModel& model) {
   if (upper(keyword.value("SYSTEM").value_or("R")) != "R") {
     deck.fail(keyword.place, "only rectangular coordinates (SYSTEM=R) are supported");
   }
-  auto* const set = parameter_set(model.node_sets, keyword, "NSET");
+  auto* const set = parameter_set(model.scope, model.node_sets, keyword, "NSET");
   while (const auto line = deck.next_data()) {
     auto cursor = deck.cursor(*line);
-    const Index id = cursor.integer("a vertex number");
+    const Index id = full_number(deck, line->place, cursor.integer("a vertex number"), model.scope.nodes);
     const auto [x, y, z, nx, ny, nz] = read_coordinates(deck, after_number(*line, cursor));
     if (set) set->positions.push_back(static_cast<Index>(model.mesh.points.size()));
-    add_vertex(model.mesh, id, {x, y, z}, line->place);
+    add_vertex(model.mesh, id, placed(model.scope, {x, y, z}), line->place);
+    model.last_node = std::max(model.last_node, id);
   }
 }
 
 void read_inp_element(Deck& deck, const Keyword& keyword, InpModel& model) {
   refuse_input(deck, keyword);
-  auto* const set = parameter_set(model.element_sets, keyword, "ELSET");
+  auto* const set = parameter_set(model.scope, model.element_sets, keyword, "ELSET");
   const auto shape = shape_of(deck, keyword, model);
   if (!shape) return;
   std::array<Index, fem::max_cell_vertices> storage;
@@ -225,8 +226,11 @@ void read_inp_element(Deck& deck, const Keyword& keyword, InpModel& model) {
     auto cursor = deck.cursor(*line);
     const Index id = cursor.integer("an element number");
     read_vertices(deck, *line, cursor, id, vertices);
+    for (Index& vertex : vertices) vertex = full_number(deck, line->place, vertex, model.scope.nodes);
     if (set) set->positions.push_back(static_cast<Index>(model.mesh.shapes.size()));
-    add_cell(model.mesh, *shape, id, vertices, line->place);
+    const Index full_id = full_number(deck, line->place, id, model.scope.elements);
+    add_cell(model.mesh, *shape, full_id, vertices, line->place);
+    model.last_element = std::max(model.last_element, full_id);
   }
 }
 

@@ -10,12 +10,30 @@
 
 namespace ritz::readers {
 
+/// What the numbers and names of the lines that are read belong to: an instance of a part, or the model itself.
+struct InpScope {
+  std::string name = {};  ///< of the instance; empty for the model
+  Index nodes = 0;        ///< what is added to the numbers of nodes, so that those of all instances differ
+  Index elements = 0;     ///< the same for elements
+  std::array<double, 3> translation = {};
+  std::array<double, 3> origin = {};  ///< a point of the axis of rotation
+  std::array<double, 3> axis = {};    ///< a unit vector
+  double cosine = 1, sine = 0;        ///< of the angle
+};
+
+/// A *PART: its lines are read again for each of its instances.
+struct InpPartLines {
+  Deck lines;
+  Place place;
+};
+
 /// One number (step 0; it must exist) or a range of numbers (those that exist).
 struct InpMember {
   Index first;
   Index last;
   Index step;
   Place place;
+  Index added = 0;  ///< by the scope, to the numbers as they are written
 };
 
 /// A set as it was when another set included it: the lengths of its lists at that time.
@@ -117,6 +135,11 @@ struct InpStep {
 struct InpModel {
   Ignored ignored;
   ListedMesh mesh;
+  InpScope scope;                                  ///< what is being read
+  std::map<std::string, InpPartLines> part_lines;  ///< by name in capitals
+  std::map<std::string, InpScope> instances;       ///< by name in capitals
+  Index last_node = 0, last_element = 0;           ///< the largest numbers so far
+  std::size_t characters_again = 0;                ///< of parts, read again for instances
   InpSets node_sets;
   InpSets element_sets;
   std::vector<InpSurface> surfaces;
@@ -133,7 +156,29 @@ struct InpModel {
   std::set<std::string> words;  ///< words of -ignore that the file used
 };
 
+/// The name that a set, surface or the like has in the model when lines of the scope call it `name`: "INSTANCE.NAME" in
+/// an instance.
+std::string full_name(const InpScope& scope, const std::string& name);
+
+/// A number of nodes or elements in the model, when lines of a scope call it `number`; `added` is the scope's.
+Index full_number(const Deck& deck, Place place, Index number, Index added);
+
+/// The scope that the keyword of a set names by INSTANCE=, else the present one.
+const InpScope& scope_of(const Deck& deck, const Keyword& keyword, const InpModel& model);
+
+enum class InpKind { node, element };
+
+/// A field that names a set or a number, as the model has it: "12" and "Bolt.12" become the number of the model, "head"
+/// becomes "Bolt.head" in the instance Bolt.
+std::string full_target(const Deck& deck, const Line& field, InpKind kind, const InpModel& model);
+
+/// A point of a part where its instance has it: translated, then rotated.
+std::array<double, 3> placed(const InpScope& scope, const std::array<double, 3>& point);
+
 /// One function for each keyword; it reads the data lines of the keyword into the model.
+void read_inp_part(Deck& deck, const Keyword& keyword, InpModel& model);
+void read_inp_assembly(Deck& deck, const Keyword& keyword, InpModel& model);
+void read_inp_instance(Deck& deck, const Keyword& keyword, InpModel& model);
 void read_inp_node(Deck& deck, const Keyword& keyword, InpModel& model);
 void read_inp_element(Deck& deck, const Keyword& keyword, InpModel& model);
 void read_inp_nset(Deck& deck, const Keyword& keyword, InpModel& model);
@@ -159,6 +204,9 @@ using InpHandler = void (*)(Deck&, const Keyword&, InpModel&);
 /// computes, noted, or refused unless the user asks to ignore it.
 InpHandler inp_handler(const std::string& name);
 
+/// Reads keywords up to the one that is called `end`, or to the end of the file if that is empty.
+void read_keywords(Deck& deck, const std::string& end, Place begin, InpModel& model);
+
 /// The value of a required parameter.
 std::string needed(const Deck& deck, const Keyword& keyword, std::string_view parameter);
 
@@ -169,6 +217,9 @@ void leave_out(const Sources& sources, Place place, const std::vector<std::strin
 
 /// The element type of a cell, as in its *ELEMENT.
 const std::string& element_type(const InpModel& model, Index cell);
+
+/// Adds a note that says how the nodes and elements of several instances are numbered.
+void note_instances(InpModel& model);
 
 /// Puts the supports that apply into `boundaries`: those of the first frequency step, or else of the last step. Adds a
 /// note if others differ. Throws InputError when the frequency step starts from a stress.

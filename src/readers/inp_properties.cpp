@@ -85,7 +85,7 @@ void read_inp_expansion(Deck&, const Keyword&, InpModel& model) { model.expands 
 void read_inp_section(Deck& deck, const Keyword& keyword, InpModel& model) {
   if (keyword.has("COMPOSITE"))
     deck.fail(keyword.place, "a composite (layered) *SOLID SECTION is not supported; ritz has one material a section");
-  model.sections.push_back({.element_set = needed(deck, keyword, "ELSET"),
+  model.sections.push_back({.element_set = full_name(model.scope, needed(deck, keyword, "ELSET")),
                             .material = upper(needed(deck, keyword, "MATERIAL")),
                             .place = keyword.place});
 }
@@ -94,7 +94,7 @@ void read_inp_structure(Deck& deck, const Keyword& keyword, InpModel& model) {
   model.structures.push_back(
       {.word = keyword.name,
        .what = "*" + keyword.title + " gives elements stiffness and mass, which ritz cannot do: here they carry sets",
-       .set = needed(deck, keyword, "ELSET"),
+       .set = full_name(model.scope, needed(deck, keyword, "ELSET")),
        .place = keyword.place});
 }
 

@@ -13,9 +13,9 @@ bool is_number(std::string_view text) {
   return !text.empty() && text.find_first_not_of("+-0123456789") == std::string_view::npos;
 }
 
-InpMember read_range(const Deck& deck, const Line& line) {
+InpMember read_range(const Deck& deck, const Line& line, Index added) {
   auto cursor = deck.cursor(line);
-  InpMember range{.first = 0, .last = 0, .step = 1, .place = line.place};
+  InpMember range{.first = 0, .last = 0, .step = 1, .place = line.place, .added = added};
   range.first = cursor.integer("the first number");
   range.last = cursor.integer("the last number");
   if (!cursor.line_ends()) range.step = cursor.integer("the step");
@@ -23,6 +23,8 @@ InpMember read_range(const Deck& deck, const Line& line) {
   if (range.first < 0 || range.last < range.first || range.step < 1) {
     deck.fail(line.place, "GENERATE needs first <= last and a positive step");
   }
+  range.first = full_number(deck, line.place, range.first, added);
+  range.last = full_number(deck, line.place, range.last, added);
   return range;
 }
 
@@ -34,48 +36,63 @@ void add_parts(InpSets& sets, std::size_t into, const std::set<std::size_t>& nam
 }
 
 // A line of flags after a comma at the end of a keyword line may be meant as names of sets.
-void refuse_doubt(const Deck& deck, const Keyword& keyword, const InpSets& sets) {
+void refuse_doubt(const Deck& deck, const Keyword& keyword, const InpScope& scope, const InpSets& sets) {
   for (const auto& line : keyword.flag_lines)
     for (const auto& field : fields(line))
-      if (sets.find(plain_name(field.text)))
+      if (sets.find(full_name(scope, plain_name(field.text))))
         deck.fail(field.place, "'" + plain_name(field.text) + "' is a parameter of *" + keyword.title +
                                    " and the name of a set; write the parameter in the line of the keyword, or leave "
                                    "out the comma at its end");
 }
 
+/// Where the lines of a *NSET or *ELSET belong.
+struct SetLines {
+  InpSets& sets;
+  std::size_t into;
+  const InpScope& scope;
+  Index added;  ///< to numbers
+};
+
+// In the assembly, the lines of a set with INSTANCE= may call the instance's sets by their own names.
+const InpSet* named_set(const SetLines& lines, const std::string& name) {
+  const auto* const own = lines.sets.find(full_name(lines.scope, name));
+  return own ? own : lines.sets.find(name);
+}
+
 // Numbers, and names of sets that stand earlier in the file.
-void read_list(const Deck& deck, const Line& line, InpSet& set, const InpSets& sets, std::set<std::size_t>& named) {
+void read_list(const Deck& deck, const Line& line, const SetLines& lines, std::set<std::size_t>& named) {
   for (const auto& field : fields(line)) {
     if (field.text.empty()) continue;
     if (is_number(field.text)) {
-      const Index number = deck.cursor(field).integer("a number");
-      if (number < 0) deck.fail(field.place, "a set names the negative number " + std::to_string(number));
-      set.members.push_back({.first = number, .last = number, .step = 0, .place = field.place});
+      const Index written = deck.cursor(field).integer("a number");
+      if (written < 0) deck.fail(field.place, "a set names the negative number " + std::to_string(written));
+      const Index number = full_number(deck, field.place, written, lines.added);
+      lines.sets.sets[lines.into].members.push_back(
+          {.first = number, .last = number, .step = 0, .place = field.place, .added = lines.added});
       continue;
     }
-    const auto* const other = sets.find(plain_name(field.text));
+    const auto* const other = named_set(lines, plain_name(field.text));
     if (!other) deck.fail(field.place, "set '" + plain_name(field.text) + "' is not defined before this line");
-    named.insert(static_cast<std::size_t>(other - sets.sets.data()));
+    named.insert(static_cast<std::size_t>(other - lines.sets.sets.data()));
   }
 }
 
-void read_set(Deck& deck, const Keyword& keyword, InpSets& sets, std::size_t into) {
-  if (keyword.has("INSTANCE")) deck.fail(keyword.place, "sets of an instance are not supported; flatten the model");
-  refuse_doubt(deck, keyword, sets);
+void read_set(Deck& deck, const Keyword& keyword, const SetLines& lines) {
+  refuse_doubt(deck, keyword, lines.scope, lines.sets);
   const bool ranges = keyword.has("GENERATE");
   std::set<std::size_t> named;
   while (const auto line = deck.next_data()) {
-    auto& set = sets.sets[into];
-    if (ranges) set.members.push_back(read_range(deck, *line));
-    else read_list(deck, *line, set, sets, named);
+    if (ranges) lines.sets.sets[lines.into].members.push_back(read_range(deck, *line, lines.added));
+    else read_list(deck, *line, lines, named);
   }
-  add_parts(sets, into, named);
+  add_parts(lines.sets, lines.into, named);
 }
 
 // What needs such a surface, as contact does, is refused by its own keyword.
 void note_unread(const Deck& deck, const Keyword& keyword, const std::string& kind, InpModel& model) {
-  model.mesh.notes.push_back(located(deck.sources(), keyword.place) + "surface '" + needed(deck, keyword, "NAME") +
-                             "' (" + kind + ") is not read, so that nothing can be named by it");
+  const auto note = located(deck.sources(), keyword.place) + "surface '" + needed(deck, keyword, "NAME") + "' (" +
+                    kind + ") is not read, so that nothing can be named by it";
+  if (model.words.insert(note).second) model.mesh.notes.push_back(note);
 }
 
 }  // namespace
@@ -101,18 +118,21 @@ InpPart whole(const InpSets& sets, std::size_t set) {
 }
 
 void read_inp_nset(Deck& deck, const Keyword& keyword, InpModel& model) {
-  const auto set = model.node_sets.made(needed(deck, keyword, "NSET"));
+  const auto set = model.node_sets.made(full_name(model.scope, needed(deck, keyword, "NSET")));
+  const auto& scope = scope_of(deck, keyword, model);
   if (const auto elements = keyword.value("ELSET")) {
-    if (!model.element_sets.find(*elements)) {
+    const auto name = full_name(scope, *elements);
+    if (!model.element_sets.find(name))
       deck.fail(keyword.place, "element set '" + *elements + "' is not defined before this line");
-    }
-    model.node_sets.sets[set].element_sets.push_back(model.element_sets.made(*elements));
+    model.node_sets.sets[set].element_sets.push_back(model.element_sets.made(name));
   }
-  read_set(deck, keyword, model.node_sets, set);
+  read_set(deck, keyword, {model.node_sets, set, scope, scope.nodes});
 }
 
 void read_inp_elset(Deck& deck, const Keyword& keyword, InpModel& model) {
-  read_set(deck, keyword, model.element_sets, model.element_sets.made(needed(deck, keyword, "ELSET")));
+  const auto set = model.element_sets.made(full_name(model.scope, needed(deck, keyword, "ELSET")));
+  const auto& scope = scope_of(deck, keyword, model);
+  read_set(deck, keyword, {model.element_sets, set, scope, scope.elements});
 }
 
 void read_inp_surface(Deck& deck, const Keyword& keyword, InpModel& model) {
@@ -120,14 +140,15 @@ void read_inp_surface(Deck& deck, const Keyword& keyword, InpModel& model) {
   if (type != "ELEMENT" && type != "NODE") return note_unread(deck, keyword, "TYPE=" + type, model);
   if (const auto combined = keyword.value("COMBINE"))
     return note_unread(deck, keyword, "COMBINE=" + upper(*combined), model);
-  InpSurface surface{.name = needed(deck, keyword, "NAME"),
+  InpSurface surface{.name = full_name(model.scope, needed(deck, keyword, "NAME")),
                      .type = type == "NODE" ? InpSurfaceType::node : InpSurfaceType::element,
                      .entries = {}};
   std::set<std::pair<std::string, std::string>> listed;
   while (const auto line = deck.next_data()) {
     const auto parts = fields(*line);
     if (parts[0].text.empty()) return note_unread(deck, keyword, "all that is outside", model);
-    const auto target = plain_name(parts[0].text);
+    const auto kind = surface.type == InpSurfaceType::node ? InpKind::node : InpKind::element;
+    const auto target = full_target(deck, parts[0], kind, model);
     const auto label = parts.size() > 1 ? upper(parts[1].text) : std::string();
     if (listed.emplace(upper(target), label).second)
       surface.entries.push_back({.target = target, .label = label, .place = line->place});

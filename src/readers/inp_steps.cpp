@@ -92,7 +92,7 @@ void read_inp_boundary(Deck& deck, const Keyword& keyword, InpModel& model) {
     if (parts.size() < 2 || parts[0].text.empty()) {
       deck.fail(line->place, "expected a node or node set and the degrees of freedom that are fixed");
     }
-    step.boundaries.push_back({.target = plain_name(parts[0].text),
+    step.boundaries.push_back({.target = full_target(deck, parts[0], InpKind::node, model),
                                .components = fixed_components(deck, parts),
                                .motion = motion_of(deck, keyword, parts),
                                .place = line->place});
@@ -141,7 +141,7 @@ void read_inp_initial_conditions(Deck& deck, const Keyword& keyword, InpModel& m
 void read_inp_transform(Deck& deck, const Keyword& keyword, InpModel& model) {
   model.transforms.push_back({.word = keyword.name,
                               .what = "*TRANSFORM turns the directions of supports, which ritz cannot do",
-                              .set = needed(deck, keyword, "NSET"),
+                              .set = full_name(model.scope, needed(deck, keyword, "NSET")),
                               .place = keyword.place});
 }
 

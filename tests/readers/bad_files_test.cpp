@@ -140,7 +140,7 @@ TEST(BadVeg, Files) {
 
 TEST(BadInp, Files) {
   expect_errors("a.inp", inp_text(),
-                {{"*Heading", "*PART, NAME=p", ":1", "flatten"},
+                {{"*Heading", "*PART, NAME=p", ":1", "*END PART"},
                  {"*Heading", "*INCLUDE, INPUT=a.inp", ":1", "includes itself"},
                  {"*Heading", "*INCLUDE", ":1", "names no file"},
                  {"*Heading", "*SYSTEM", ":1", "SYSTEM"},
@@ -161,7 +161,7 @@ TEST(BadInp, Files) {
                  {"\n5, 6\n", "\n5, 6, 0\n", ":19", "GENERATE"},
                  {"*NSET, NSET=feet\n10, 7", "*NSET, NSET=feet\n10, hands", ":21", "'hands'"},
                  {"*NSET, NSET=feet", "*NSET", ":20", "needs NSET="},
-                 {"*NSET, NSET=feet", "*NSET, NSET=feet, INSTANCE=i", ":20", "flatten"},
+                 {"*NSET, NSET=feet", "*NSET, NSET=feet, INSTANCE=i", ":20", "'i'"},
                  {"2e11, 0.3", "2e11, 0.7", ":25", "Poisson"},
                  {"7800.,", "-7800.,", ":27", "density"},
                  {"*MATERIAL, NAME=Steel\n", "", ":23", "before any *MATERIAL"},
