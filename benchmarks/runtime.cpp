@@ -1,5 +1,6 @@
-// The reduced forces against one symmetric matrix-vector product (OpenBLAS dsymv) of the quartic matrix, measured in
-// turns in the same run. Every row prints the ratio; bars are in the issue tracker, none is a test.
+// The reduced forces against one symmetric matrix-vector product (OpenBLAS dsymv) of the quartic matrix, and u = U z
+// against reading U once (dasum), measured in turns in the same run. Every row prints the ratio; bars are in the issue
+// tracker, none is a test.
 //   cmake --build BUILD --target benchmark-runtime
 #include <benchmark/benchmark.h>
 
@@ -8,10 +9,13 @@
 #include <random>
 
 #include "ritz/runtime/polynomial_batch.hpp"
+#include "ritz/runtime/reconstruction.hpp"
 #include "ritz/runtime/step.hpp"
 
 extern "C" void dsymv_(const char* uplo, const int* n, const double* alpha, const double* A, const int* lda,
                        const double* x, const int* incx, const double* beta, double* y, const int* incy);
+
+extern "C" double dasum_(const int* n, const double* x, const int* incx);
 
 namespace ritz::runtime {
 namespace {
@@ -129,6 +133,24 @@ void implicit_step(benchmark::State& state) {
   state.counters["ratio"] = whole.microseconds / parts;
 }
 BENCHMARK(implicit_step)->Arg(20)->Arg(30)->Arg(40)->Arg(60);
+
+/// u = U z at 50,000 vertices.
+void reconstruction(benchmark::State& state) {
+  const Eigen::Index r = state.range(0), n = 50'000;
+  const model::Basis basis{model::RowMatrix::Random(3 * n, r)};
+  const Eigen::VectorXd z = Eigen::VectorXd::LinSpaced(r, -1, 1);
+  model::Points u(n, 3);
+  const int numbers = static_cast<int>(basis.U.size()), next = 1;
+  Fastest ours, reading;
+  for (auto _ : state) {
+    ours.turn(1, [&] { reconstruct(basis, z, u); });
+    reading.turn(1, [&] { benchmark::DoNotOptimize(dasum_(&numbers, basis.U.data(), &next)); });
+  }
+  state.counters["us"] = ours.microseconds;
+  state.counters["reading_us"] = reading.microseconds;
+  state.counters["ratio"] = ours.microseconds / reading.microseconds;
+}
+BENCHMARK(reconstruction)->Arg(10)->Arg(20)->Arg(30)->Arg(40)->Arg(60);
 
 }  // namespace
 }  // namespace ritz::runtime

@@ -1,9 +1,11 @@
 #include "ritz/runtime/reconstruction.hpp"
 
+#include "row_products.hpp"
+
 namespace ritz::runtime {
 
 void reconstruct(const model::Basis& basis, Eigen::Ref<const Eigen::VectorXd> z, model::Points& displacements) {
-  Eigen::Map<Eigen::VectorXd>(displacements.data(), displacements.size()).noalias() = basis.U * z;
+  multiply_rows(basis.U.data(), basis.U.rows(), basis.U.cols(), z.data(), displacements.data());
 }
 
 Eigen::MatrixXd mean_rows(const model::Basis& basis, std::span<const std::int64_t> rows) {

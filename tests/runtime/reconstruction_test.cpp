@@ -17,6 +17,21 @@ TEST(Reconstruction, OfAllVertices) {
   EXPECT_EQ(u, (model::Points(3, 3) << 0, 2, 4, 6, 8, 10, 12, 14, 16).finished());
 }
 
+TEST(Reconstruction, OfAnyNumberOfVerticesAndColumns) {
+  for (const Eigen::Index n : {1, 2, 3, 4, 5, 7})
+    for (const Eigen::Index r : {1, 2, 3, 4, 5, 8, 11, 30}) {
+      const model::Basis any{model::RowMatrix::Random(3 * n, r)};
+      const Eigen::VectorXd coordinates = Eigen::VectorXd::LinSpaced(r, -1, 2);
+      model::Points u(n, 3);
+      reconstruct(any, coordinates, u);
+      for (Eigen::Index i = 0; i < 3 * n; ++i) {
+        double sum = 0;
+        for (Eigen::Index j = 0; j < r; ++j) sum += any.U(i, j) * coordinates[j];
+        EXPECT_NEAR(u.data()[i], sum, 1e-15 * static_cast<double>(r + 10)) << n << ' ' << r << ' ' << i;
+      }
+    }
+}
+
 TEST(Reconstruction, OfOneVertexAndOfAMean) {
   EXPECT_EQ(Eigen::Vector3d(mean_rows(basis, std::array<std::int64_t, 1>{1}) * z), Eigen::Vector3d(6, 8, 10));
   EXPECT_EQ(Eigen::Vector3d(mean_rows(basis, std::array<std::int64_t, 2>{0, 2}) * z), Eigen::Vector3d(6, 8, 10));
