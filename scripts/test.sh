@@ -10,7 +10,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 preset=default
 selection=() targets=()
-definitions=(-DRITZ_WERROR=ON)
+definitions=()
 while (($#)); do
   case $1 in
     --preset)

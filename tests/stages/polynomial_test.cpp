@@ -17,12 +17,12 @@ namespace {
 using algebra::Tall;
 using Eigen::Index;
 
-struct Case {
+struct PolynomialCase {
   const char* mesh;
   bool free, two;
 };
 
-class Polynomial : public testing::TestWithParam<Case> {
+class Polynomial : public testing::TestWithParam<PolynomialCase> {
  protected:
   const Reduced r = reduced(box_of(std::string("box:1,.4,.3/") + GetParam().mesh, GetParam().free, GetParam().two), 4);
   const Tall U = basis_of(r, {.modes = {}, .derivatives = 4, .cut = {.size = 7, .tolerance = 1e-12}}).U;
@@ -75,14 +75,15 @@ TEST_P(Polynomial, IsCaughtWhenItIsSpoiled) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(, Polynomial,
-                         testing::Values(Case{"4,2,2/tet4", false, true}, Case{"4,2,2/tet4", true, false},
-                                         Case{"3,1,1/tet10", false, true}, Case{"3,1,1/tet10", true, false},
-                                         Case{"4,2,2/hex8", false, false}, Case{"4,2,2/hex8", true, true}),
-                         [](const auto& info) {
-                           const std::string text = info.param.mesh;
-                           return text.substr(text.rfind('/') + 1) + (info.param.free ? "_free" : "_clamped");
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    , Polynomial,
+    testing::Values(PolynomialCase{"4,2,2/tet4", false, true}, PolynomialCase{"4,2,2/tet4", true, false},
+                    PolynomialCase{"3,1,1/tet10", false, true}, PolynomialCase{"3,1,1/tet10", true, false},
+                    PolynomialCase{"4,2,2/hex8", false, false}, PolynomialCase{"4,2,2/hex8", true, true}),
+    [](const auto& info) {
+      const std::string text = info.param.mesh;
+      return text.substr(text.rfind('/') + 1) + (info.param.free ? "_free" : "_clamped");
+    });
 
 }  // namespace
 }  // namespace ritz::test

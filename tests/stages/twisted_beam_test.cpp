@@ -9,7 +9,7 @@
 namespace ritz::test {
 namespace {
 
-constexpr double length = 12, width = 1.1, depth = .32;  // the benchmark's own units, taken as SI
+constexpr double beam_length = 12, width = 1.1, depth = .32;  // the benchmark's own units, taken as SI
 constexpr fem::Material material = test::stvk(29e6, .22, 1);
 
 /// The straight box with its section centred on the axis, then turned by 90 degrees along its length.
@@ -17,7 +17,7 @@ mesh::Mesh twisted_beam() {
   mesh::Mesh mesh = box("box:12,1.1,.32/12,2,1/tet10");
   for (int v = 0; v < mesh.local_vertices(); ++v) {
     auto x = mesh.points.col(v);
-    const double angle = std::numbers::pi / 2 * x.x() / length, y = x.y() - width / 2, z = x.z() - depth / 2;
+    const double angle = std::numbers::pi / 2 * x.x() / beam_length, y = x.y() - width / 2, z = x.z() - depth / 2;
     x.tail<2>() << std::cos(angle) * y - std::sin(angle) * z, std::sin(angle) * y + std::cos(angle) * z;
   }
   return mesh;

@@ -1,0 +1,29 @@
+#include "support/nonlinear_sample_model.hpp"
+
+namespace ritz::test {
+
+model::Polynomial sample_polynomial() {
+  constexpr double gamma = 2;
+  model::Polynomial p{2, Eigen::Vector3d(4, 0, 9), Eigen::VectorXd::Zero(4), Eigen::VectorXd::Zero(5)};
+  p.quartic << 6, 0, 2 * gamma, 0, 6 * gamma * gamma;  // 1111, 1112, 1122, 1222, 2222
+  return p;
+}
+
+model::Model nonlinear_sample_model() {
+  auto m = sample_model();
+  m.bodies[0].reduction = model::Reduction{Eigen::Vector2d(4, 9), Eigen::Vector3d(2, 1, 0.25), 0.25};
+  m.bodies[0].polynomial = sample_polynomial();
+  return m;
+}
+
+model::Model two_body_model() {
+  auto m = sample_model();
+  auto& arm = m.bodies.emplace_back(nonlinear_sample_model().bodies[0]);
+  arm.name = "arm/upper";
+  arm.checksums = {"00000000000000aa", "00000000000000bb"};
+  arm.geometry.points.col(0).array() += 5;
+  arm.report = {{{"assemble", 2}}, {{"vertices", 4}}, {"the arm's springs harden"}};
+  return m;
+}
+
+}  // namespace ritz::test
