@@ -8,7 +8,7 @@ std::int64_t rows(const Matrix& A) {
   return total;
 }
 
-Eigen::VectorXd diagonal(const Matrix& A) {
+Eigen::VectorXd diagonal(Mat A) {
   Vector entries;
   const PetscScalar* values = nullptr;
   PetscInt rows = 0;

@@ -10,7 +10,7 @@ namespace ritz::algebra {
 /// The number of rows, over all ranks.
 std::int64_t rows(const Matrix& A);
 /// The entries A_ii of this rank's rows.
-Eigen::VectorXd diagonal(const Matrix& A);
+Eigen::VectorXd diagonal(Mat A);
 /// max_i Σ_j |A_ij|, which for a symmetric matrix is ‖A‖₁ and a bound of ‖A‖₂.
 double one_norm(const Matrix& A);
 

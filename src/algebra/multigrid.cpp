@@ -5,6 +5,7 @@
 #include "ritz/algebra/check.hpp"
 #include "ritz/algebra/dense.hpp"
 #include "ritz/algebra/handle.hpp"
+#include "ritz/algebra/matrix.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/base/random.hpp"
 #include "ritz/parallel/comm.hpp"
@@ -42,15 +43,7 @@ std::vector<Matrix> take(PetscInt levels, Mat* list) {
 }
 
 Eigen::VectorXd inverse_diagonal(Mat A) {
-  Vector diagonal;
-  PetscInt rows = 0;
-  const PetscScalar* values = nullptr;
-  check(MatGetLocalSize(A, &rows, nullptr));
-  check(MatCreateVecs(A, nullptr, diagonal.out()));
-  check(MatGetDiagonal(A, diagonal));
-  check(VecGetArrayRead(diagonal, &values));
-  Eigen::VectorXd inverse = Eigen::Map<const Eigen::VectorXd>(values, rows);
-  check(VecRestoreArrayRead(diagonal, &values));
+  Eigen::VectorXd inverse = diagonal(A);
   for (auto& d : inverse) d = d > 0 ? 1 / d : 0;
   return inverse;
 }

@@ -10,8 +10,12 @@ namespace {
 /// Solves A x = b of a known x; A is symmetric, its eigenvalues 1 ... 3 shifted by `shift`.
 template <class Scalar>
 void expect_solution(Eigen::Index n, Scalar shift) {
-  const Eigen::VectorXd normal = Eigen::VectorXd::Random(n).normalized();
-  const Matrix<Scalar> Q = (Eigen::MatrixXd::Identity(n, n) - 2 * normal * normal.transpose()).cast<Scalar>();
+  Eigen::MatrixXd turn = Eigen::MatrixXd::Identity(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) {  // a product of n reflections may be any turn
+    const Eigen::VectorXd normal = Eigen::VectorXd::Random(n).normalized();
+    turn -= 2 * (turn * normal) * normal.transpose();
+  }
+  const Matrix<Scalar> Q = turn.cast<Scalar>();
   const Vector<Scalar> eigenvalues = Vector<Scalar>::LinSpaced(n, 1, 3).array() + shift;
   const Matrix<Scalar> A = Q * eigenvalues.asDiagonal() * Q.transpose();
   const Vector<Scalar> expected = Vector<Scalar>::LinSpaced(n, 1, -2);
