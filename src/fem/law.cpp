@@ -1,15 +1,51 @@
 #include "ritz/fem/law.hpp"
 
 #include <cmath>
+#include <limits>
+
+#include "ritz/base/simd.hpp"
 
 namespace ritz::fem {
+namespace {
 
-Moduli moduli_of_products(const Matrix<3, 3>& B, double a, double b) {
-  Moduli A;
+using Column = Pack<double>;  // three numbers and one of padding
+
+RITZ_INLINE Column column(const double* matrix, int j) {
+  return Column{matrix[3 * j], matrix[3 * j + 1], matrix[3 * j + 2], 0};
+}
+
+RITZ_WIDE void set_products(const double* B, double a, double b, double* moduli) {
+  const Column columns[] = {column(B, 0), column(B, 1), column(B, 2)};
+  Column* to = packs(moduli);
   for (int l = 0; l < 3; ++l)
-    for (int j = 0; j < 3; ++j)
-      A.block<3, 3>(3 * j, 3 * l) = a * B.col(j) * B.col(l).transpose() + b * B.col(l) * B.col(j).transpose();
-  return A;
+    for (int k = 0; k < 3; ++k)
+      for (int j = 0; j < 3; ++j) *to++ = a * B[k + 3 * l] * columns[j] + b * B[k + 3 * j] * columns[l];
+}
+
+RITZ_WIDE void add_products(const double* M, const double* S, double* moduli) {
+  const Column columns[] = {column(M, 0), column(M, 1), column(M, 2)};
+  Column* to = packs(moduli);
+  for (int l = 0; l < 3; ++l)
+    for (int k = 0; k < 3; ++k)
+      for (int j = 0; j < 3; ++j) *to++ += S[j + 3 * l] * columns[k];
+}
+
+}  // namespace
+
+Moduli Moduli::of_products(const Matrix<3, 3>& B, double a, double b) {
+  Moduli result;
+  set_products(B.data(), a, b, result.numbers_.data());
+  return result;
+}
+
+Moduli Moduli::unknown() {
+  Moduli result;
+  result.numbers_.fill(std::numeric_limits<double>::quiet_NaN());
+  return result;
+}
+
+void Moduli::add_product(const Matrix<3, 3>& M, const Matrix<3, 3>& S) {
+  add_products(M.data(), S.data(), numbers_.data());
 }
 
 double nonlinear_volume_change(const Matrix<3, 3>& G) {

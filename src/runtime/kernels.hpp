@@ -16,7 +16,7 @@
 #pragma once
 #include <cstddef>
 
-#include "simd.hpp"
+#include "ritz/base/simd.hpp"
 
 namespace ritz::runtime {
 

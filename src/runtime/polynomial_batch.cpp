@@ -4,7 +4,7 @@
 
 #include "kernels.hpp"
 #include "polynomial_point.hpp"
-#include "simd.hpp"
+#include "ritz/base/simd.hpp"
 
 namespace ritz::runtime {
 namespace {

@@ -2,8 +2,8 @@
 #include <string>
 
 #include "ritz/base/error.hpp"
+#include "ritz/base/simd.hpp"
 #include "ritz/runtime/polynomial_force.hpp"
-#include "simd.hpp"
 
 namespace ritz::runtime {
 namespace {

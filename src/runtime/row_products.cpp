@@ -1,6 +1,6 @@
 #include "row_products.hpp"
 
-#include "simd.hpp"
+#include "ritz/base/simd.hpp"
 
 namespace ritz::runtime {
 namespace {

@@ -14,8 +14,9 @@ namespace {
 
 template <class E>
 void add_force(const mesh::Mesh& mesh, const Cell<E>& cell, const mesh::LocalRows& local, InternalForces& sums) {
+  const auto points = fem::integration_points<E>(cell.x);
   for (Eigen::Index j = 0; j < local.cols(); ++j) {
-    const auto [energy, force] = fem::energy_and_force<E>(cell.x, cell.gather(local, j), cell.material);
+    const auto [energy, force] = fem::energy_and_force<E>(points, cell.gather(local, j), cell.material);
     if (cell.owned) sums.energies[j] += energy;
     for (int a = 0; a < E::vertices; ++a)
       if (const int v = cell.vertex(a); v < mesh.owned) mesh::at_vertex(sums.forces.col(j), v) += force.col(a);
@@ -31,17 +32,11 @@ struct Target {
 };
 
 template <class E>
-auto weighted_tangent(const Cell<E>& cell, const Eigen::VectorXd& weights, const mesh::LocalRows& local) {
-  fem::Matrix<mesh::components * E::vertices, mesh::components * E::vertices> K;
-  K.setZero();
-  for (Eigen::Index j = 0; j < weights.size(); ++j)
-    K += weights[j] * fem::tangent<E>(cell.x, cell.gather(local, j), cell.material);
-  return K;
-}
-
-template <class E>
 void add_tangent(const Target& to, const Cell<E>& cell, const Eigen::VectorXd& weights, const mesh::LocalRows& local) {
-  const auto K = weighted_tangent(cell, weights, local);
+  const auto points = fem::integration_points<E>(cell.x);
+  fem::TangentSum<E> sum;
+  for (Eigen::Index j = 0; j < weights.size(); ++j) sum.add(points, cell.gather(local, j), cell.material, weights[j]);
+  const auto K = sum.matrix();
   for (int a = 0; a < E::vertices; ++a) {
     const int row = cell.vertex(a);
     if (row >= to.mesh.owned) continue;

@@ -3,7 +3,9 @@
 // u is the displacement, G = ∇u (G_ij = ∂u_i/∂X_j) its gradient, and F = I + G the deformation gradient. A law is given
 // G instead of F, because small strains would lose digits in F.
 #pragma once
+#include <array>
 #include <concepts>
+#include <cstddef>
 #include <limits>
 
 #include "ritz/fem/types.hpp"
@@ -17,8 +19,28 @@ struct Response {
   Matrix<3, 3> stress;  ///< first Piola-Kirchhoff stress P = ∂W/∂F, Pa
 };
 
-/// The tangent moduli ∂P/∂F, Pa, symmetric: row i + 3j is P_ij, column k + 3l is F_kl.
-using Moduli = Matrix<9, 9>;
+/// The tangent moduli A_ijkl = ∂P_ij/∂F_kl, Pa, symmetric: A_ijkl = A_klij. The numbers of equal j, k and l stand
+/// together, three and one of padding, so that they fill a register.
+class Moduli {
+ public:
+  /// Zero.
+  Moduli() = default;
+
+  /// a B_ij B_kl + b B_il B_kj, of which the moduli of many laws are composed.
+  static Moduli of_products(const Matrix<3, 3>& B, double a, double b);
+  /// Those of a state that the law does not admit: NaN.
+  static Moduli unknown();
+  /// Adds M_ik S_jl, with M and S symmetric.
+  void add_product(const Matrix<3, 3>& M, const Matrix<3, 3>& S);
+
+  double operator()(int i, int j, int k, int l) const { return numbers_[static_cast<std::size_t>(place(j, k, l) + i)]; }
+  /// The four numbers of j, k and l, aligned to 32 bytes; those of the next k or l follow as place() says.
+  const double* data() const { return numbers_.data(); }
+  static constexpr int place(int j, int k, int l) { return 4 * (9 * l + 3 * k + j); }
+
+ private:
+  alignas(32) std::array<double, 108> numbers_{};
+};
 
 /// An isotropic law near rest, given by Lamé's constants and Landau's three constants of third order, all in Pa:
 /// W = λ/2 tr²E + μ tr E² + A/3 tr E³ + B tr E tr E² + C/3 tr³E + O(E⁴), where E is the Green-Lagrange strain [Landau
@@ -69,9 +91,6 @@ template <class L>
 concept PolynomialLaw = Law<L> && requires {
   { L::force_degree } -> std::convertible_to<int>;
 };
-
-/// a B_ij B_kl + b B_il B_kj, of which the moduli of many laws are composed.
-Moduli moduli_of_products(const Matrix<3, 3>& B, double a, double b);
 
 /// J − 1 − tr G = det(I + G) − 1 − tr G, with full relative precision for small G.
 double nonlinear_volume_change(const Matrix<3, 3>& G);

@@ -2,7 +2,6 @@
 
 #include <Eigen/LU>
 #include <cmath>
-#include <limits>
 
 namespace ritz::fem {
 
@@ -21,10 +20,10 @@ Response NeoHookean::response(const Matrix<3, 3>& G) const {
 
 Moduli NeoHookean::moduli(const Matrix<3, 3>& G) const {
   const double change = G.trace() + nonlinear_volume_change(G);
-  if (!(change > -1)) return Moduli::Constant(std::numeric_limits<double>::quiet_NaN());
+  if (!(change > -1)) return Moduli::unknown();
   const Matrix<3, 3> B = (Matrix<3, 3>::Identity() + G).inverse().transpose();
-  Moduli A = moduli_of_products(B, lambda(), mu() - lambda() * std::log1p(change));
-  A.diagonal().array() += mu();
+  Moduli A = Moduli::of_products(B, lambda(), mu() - lambda() * std::log1p(change));
+  A.add_product(mu() * Matrix<3, 3>::Identity(), Matrix<3, 3>::Identity());
   return A;
 }
 

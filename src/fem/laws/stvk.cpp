@@ -3,6 +3,15 @@
 namespace ritz::fem {
 namespace {
 
+/// AᵀA, by its six different entries.
+Matrix<3, 3> gram(const Matrix<3, 3>& A) {
+  Matrix<3, 3> products;
+  for (int j = 0; j < 3; ++j)
+    for (int i = 0; i <= j; ++i)
+      products(i, j) = products(j, i) = A(0, i) * A(0, j) + A(1, i) * A(1, j) + A(2, i) * A(2, j);
+  return products;
+}
+
 /// The second Piola-Kirchhoff stress S, Pa, of a strain E.
 Matrix<3, 3> second_piola(const StVK& law, const Matrix<3, 3>& strain) {
   Matrix<3, 3> S = 2 * law.mu() * strain;
@@ -13,8 +22,7 @@ Matrix<3, 3> second_piola(const StVK& law, const Matrix<3, 3>& strain) {
 }  // namespace
 
 Matrix<3, 3> StVK::strain(const Matrix<3, 3>& G) {  // FᵀF − I would lose the digits of small strains
-  const Matrix<3, 3> product = G.transpose().lazyProduct(G);
-  return (G + G.transpose() + product) / 2;
+  return (G + G.transpose() + gram(G)) / 2;
 }
 
 Response StVK::response(const Matrix<3, 3>& G) const {
@@ -23,15 +31,10 @@ Response StVK::response(const Matrix<3, 3>& G) const {
 }
 
 Moduli StVK::moduli(const Matrix<3, 3>& G) const {
-  const Matrix<3, 3> F = Matrix<3, 3>::Identity() + G, S = second_piola(*this, strain(G)),
-                     FFt = mu() * F * F.transpose();
-  Moduli A = moduli_of_products(F, lambda(), mu());
-  for (int j = 0; j < 3; ++j)
-    for (int l = 0; l < 3; ++l) {
-      auto block = A.block<3, 3>(3 * j, 3 * l);
-      block.diagonal().array() += S(l, j);
-      if (j == l) block += FFt;
-    }
+  const Matrix<3, 3> I = Matrix<3, 3>::Identity(), F = I + G;
+  Moduli A = Moduli::of_products(F, lambda(), mu());
+  A.add_product(I, second_piola(*this, strain(G)));
+  A.add_product(mu() * gram(F.transpose()), I);
   return A;
 }
 

@@ -10,7 +10,7 @@
 #endif
 #define RITZ_INLINE inline __attribute__((always_inline))
 
-namespace ritz::runtime {
+namespace ritz {
 
 inline constexpr std::size_t pack_bytes = 32;
 
@@ -42,4 +42,4 @@ RITZ_INLINE Pack<Scalar>* packs(Scalar* p) {
   return reinterpret_cast<Pack<Scalar>*>(p);
 }
 
-}  // namespace ritz::runtime
+}  // namespace ritz
