@@ -10,12 +10,13 @@ namespace {
 
 using Column = Pack<double>;  // three numbers and one of padding
 
-RITZ_INLINE Column column(const double* matrix, int j) {
-  return Column{matrix[3 * j], matrix[3 * j + 1], matrix[3 * j + 2], 0};
+RITZ_INLINE void load(const double* matrix, Column (&columns)[3]) {
+  for (int j = 0; j < 3; ++j) columns[j] = Column{matrix[3 * j], matrix[3 * j + 1], matrix[3 * j + 2], 0};
 }
 
 RITZ_WIDE void set_products(const double* B, double a, double b, double* moduli) {
-  const Column columns[] = {column(B, 0), column(B, 1), column(B, 2)};
+  Column columns[3];
+  load(B, columns);
   Column* to = packs(moduli);
   for (int l = 0; l < 3; ++l)
     for (int k = 0; k < 3; ++k)
@@ -23,7 +24,8 @@ RITZ_WIDE void set_products(const double* B, double a, double b, double* moduli)
 }
 
 RITZ_WIDE void add_products(const double* M, const double* S, double* moduli) {
-  const Column columns[] = {column(M, 0), column(M, 1), column(M, 2)};
+  Column columns[3];
+  load(M, columns);
   Column* to = packs(moduli);
   for (int l = 0; l < 3; ++l)
     for (int k = 0; k < 3; ++k)
