@@ -40,11 +40,17 @@ quietly() {
   rm -f "$log"
 }
 
-# cmake --build with ninja's progress line on a terminal, and with nothing but errors elsewhere. As many compilers as
-# cores, which nproc does not count where OMP_NUM_THREADS is set: ninja's two more share the caches, a fifth slower.
+# cmake --build with ninja's progress line on a terminal; elsewhere a line for each fifth, and errors. As many compilers
+# as cores, which nproc does not count where OMP_NUM_THREADS is set: ninja's two more share the caches, a fifth slower.
 build() {
   local words=("$@" --parallel "$(env -u OMP_NUM_THREADS nproc)")
-  if [[ -t 1 ]]; then cmake --build "${words[@]}"; else cmake --build "${words[@]}" -- --quiet; fi
+  if [[ -t 1 ]]; then
+    cmake --build "${words[@]}"
+  else
+    NINJA_STATUS='%p ' cmake --build "${words[@]}" | awk '
+      /^ *[0-9]+% / { fifth = int($1 / 20); if (fifth > said) { said = fifth; print "  built " 20 * fifth " %"; fflush() }; next }
+      !/^ninja: no work to do/ { print; fflush() }'
+  fi
 }
 
 # One BLAS thread a rank, and an Open MPI that runs as root, in a container and on fewer cores than ranks.
@@ -63,7 +69,7 @@ build_programs() {
   cd "$root"
   install_packages
   prepare_environment
-  say "Building $*."
+  say "Building $*, which takes some minutes from nothing."
   quietly cmake --preset default
   build build/default --target "$@"
 }

@@ -93,8 +93,7 @@ std::size_t Database::choice(const std::string& name, const std::vector<std::str
   const auto word = text(name, words[fallback]);
   const auto found = std::find(words.begin(), words.end(), word);
   if (found == words.end())
-    throw InputError("option -" + name + " " + word + " is not one of " + listed(words) + "; did you mean '" +
-                     nearest(word, words) + "'?");
+    throw InputError("option -" + name + " " + word + " is not one of " + listed(words) + guess(word, words));
   return static_cast<std::size_t>(found - words.begin());
 }
 

@@ -30,9 +30,7 @@ std::size_t named_region(const std::string& name, const std::vector<std::string>
   if (blank.size() > 1)
     throw InputError(option_of(name) + "that may be region '" + regions[blank[0]] + "' or '" + regions[blank[1]] +
                      "'; write the name with its blanks, in quotes");
-  if (blank.empty())
-    throw InputError(option_of(name) + "the mesh has no region '" + name + "'; did you mean '" +
-                     nearest(name, regions) + "'?");
+  if (blank.empty()) throw InputError(option_of(name) + "the mesh has no region '" + name + "'" + hint(name, regions));
   return blank[0];
 }
 

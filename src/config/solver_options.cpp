@@ -86,7 +86,7 @@ void check_setting(const Option& option) {
   if (words.empty() || std::ranges::find(words, option.value) != words.end()) return;
   std::string list;
   for (const auto& word : words) list += (list.empty() ? "" : ", ") + word;
-  refuse(option, "that is not one of " + list + "; did you mean '" + nearest(option.value, words) + "'?");
+  refuse(option, "that is not one of " + list + guess(option.value, words));
 }
 
 Report parse_report(const Option& option, const std::vector<std::string>& formats) {
@@ -104,7 +104,7 @@ Report parse_report(const Option& option, const std::vector<std::string>& format
            "the file of a report has a plain name, of letters, digits and ._-+=@, alone, and is not compressed");
   if (!format.empty() && std::ranges::find(formats, format) == formats.end())
     refuse(option, formats.empty() ? "that report has one format; leave '" + format + "' out"
-                                   : "there is no such format; did you mean '" + nearest(format, formats) + "'?");
+                                   : "there is no such format" + hint(format, formats));
   const bool usual = file.empty() && format.empty();
   return {file, format, usual ? "" : "ascii:" + file + ":" + format + (mode.empty() ? "" : ":" + mode)};
 }

@@ -27,8 +27,10 @@ const std::vector<std::string> log_formats = {"default",   "ascii_info", "ascii_
   std::vector<std::string> names;
   for (const auto& entry : option_table()) names.emplace_back(entry.name);
   names.insert(names.end(), solver_option_names().begin(), solver_option_names().end());
-  throw InputError("there is no option -" + printable(name) + "; did you mean -" + nearest(name, names) +
-                   "? (-help lists them all)");
+  const auto words = name.substr(std::min(name.find_first_not_of('-'), name.size()));  // of --mesh, too
+  const auto meant = meant_by(words, names);
+  throw InputError("there is no option -" + printable(name) + (meant.empty() ? "" : "; did you mean -" + meant + "?") +
+                   " (-help lists them all)");
 }
 
 bool is_own(const std::string& name) {

@@ -85,7 +85,7 @@ Section::Section(const Entry& entry, std::initializer_list<std::string_view> kno
     const std::string_view word = key.str();
     if (std::find(known.begin(), known.end(), word) != known.end()) continue;
     throw InputError(entry.file + ":" + std::to_string(key.source().begin.line) + ": unknown key " + quote(word) +
-                     " in " + entry.name + "; did you mean " + quote(nearest(word, known)) + "?");
+                     " in " + entry.name + hint(word, known));
   }
 }
 

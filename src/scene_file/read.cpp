@@ -20,8 +20,7 @@ Integrator integrator(const Entry& entry) {
   const std::string name = text(entry);
   const auto at = std::find(integrator_names.begin(), integrator_names.end(), name);
   if (at == integrator_names.end())
-    fail(entry,
-         "unknown integrator '" + printable(name) + "'; did you mean '" + nearest(name, integrator_names) + "'?");
+    fail(entry, "unknown integrator '" + printable(name) + "'" + hint(name, integrator_names));
   return static_cast<Integrator>(at - integrator_names.begin());
 }
 
@@ -108,8 +107,8 @@ std::string whose(const Section& section, const std::vector<Body>& bodies) {
   std::vector<std::string> known;
   for (const auto& body : bodies) known.push_back(body.name);
   if (std::ranges::find(known, name) == known.end())
-    fail(*entry,
-         "the scene has no body '" + printable(name) + "'; did you mean '" + printable(nearest(name, known)) + "'?");
+    fail(*entry, "the scene has no body '" + printable(name) + "'" +
+                     hint(name, known, [](const std::string& body) { return "'" + printable(body) + "'"; }));
   return name;
 }
 

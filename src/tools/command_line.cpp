@@ -15,7 +15,8 @@ void refuse_extras(const CLI::App& app) {
     std::vector<std::string> known;
     for (const auto* option : app.get_options())
       for (const auto& name : option->get_lnames()) known.push_back("--" + name);
-    throw InputError("unknown option '" + extra + "'; did you mean '" + nearest(extra, known) + "'?");
+    throw InputError("unknown option '" + extra + "'" +
+                     (meant_by(extra, known).empty() ? "; see --help" : guess(extra, known)));
   }
 }
 

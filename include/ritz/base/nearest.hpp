@@ -48,4 +48,53 @@ std::string nearest(std::string_view word, const Range& candidates) {
   return best;
 }
 
+/// What a user may have meant by `word`: the candidate that a few slips of the pen turn into it, else the shortest one
+/// that contains it ("young": "material_young"); empty if there is none.
+template <class Range>
+std::string meant_by(std::string_view word, const Range& candidates) {
+  const std::string near = nearest(word, candidates);
+  if (!near.empty() && 2 * edit_distance(word, near) < std::max(word.size(), near.size())) return near;
+  std::string shortest;
+  for (const auto& candidate : candidates) {
+    const std::string_view name(candidate);
+    if (word.size() < 4 || name.find(word) == name.npos) continue;
+    if (shortest.empty() || name.size() < shortest.size()) shortest = name;
+  }
+  return shortest;
+}
+
+/// "; did you mean 'tip'?" where something may have been meant, else nothing: for messages that list the words
+/// themselves.
+template <class Range>
+std::string guess(std::string_view word, const Range& candidates) {
+  const std::string meant = meant_by(word, candidates);
+  return meant.empty() ? "" : "; did you mean '" + meant + "'?";
+}
+
+/// How a message on an unknown word ends: "; did you mean 'tip'? There are 'tip' and 'root'". Nothing is guessed where
+/// nothing is alike, and of more than twelve candidates only those are listed that fit in a sentence. `written` is how
+/// a name is put into the message.
+template <class Range, class Written>
+std::string hint(std::string_view word, const Range& candidates, const Written& written) {
+  constexpr std::size_t most = 12;
+  const std::string meant = meant_by(word, candidates);
+  std::vector<std::string> names;
+  for (const auto& candidate : candidates) names.emplace_back(candidate);
+  const std::string guessed = meant.empty() ? "" : "; did you mean " + written(meant) + "?";
+  if (names.size() < 2 && !guessed.empty()) return guessed;
+  if (names.size() > most && !guessed.empty()) return guessed;
+  std::string list;
+  for (std::size_t i = 0; i < std::min(names.size(), most); ++i)
+    list += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + written(names[i]);
+  if (names.size() > most) list += " and " + std::to_string(names.size() - most) + " others";
+  if (list.empty()) return "";
+  return guessed.empty() ? "; there " + std::string(names.size() == 1 ? "is " : "are ") + list
+                         : guessed + " There are " + list;
+}
+
+template <class Range>
+std::string hint(std::string_view word, const Range& candidates) {
+  return hint(word, candidates, [](const std::string& name) { return "'" + name + "'"; });
+}
+
 }  // namespace ritz

@@ -67,7 +67,8 @@ using Written = std::string (*)(const std::string& name);
 inline std::string as_it_is(const std::string& name) { return name; }
 
 /// The name of the set that `asked` means for this use. Throws an InputError that begins with `where` (such as "option
-/// -fix FIX: the mesh"): it names the nearest set when there is none, and lists the sets when several remain.
+/// -fix FIX: the mesh"): it names the sets that may have been meant when there is none, and lists the sets when several
+/// remain.
 inline std::string resolve_set(const std::vector<std::string>& names, const std::string& asked, SetUse use,
                                const std::string& where, Written written = as_it_is) {
   auto meant = meant_sets(names, asked, use);
@@ -82,8 +83,9 @@ inline std::string resolve_set(const std::vector<std::string>& names, const std:
   const auto plain = kind_said ? asked.substr(colon + 1) : asked;
   if (kind_said && std::find(names.begin(), names.end(), plain) != names.end())
     throw InputError(where + " has one set alone of that name; write '" + written(plain) + "'");
-  const auto near = nearest(asked, with_plain_names(names));
-  throw InputError(where + " has no set '" + asked + "'; did you mean '" + written(near) + "'?");
+  throw InputError(
+      where + " has no set '" + asked + "'" +
+      hint(asked, with_plain_names(names), [&](const std::string& name) { return "'" + written(name) + "'"; }));
 }
 
 }  // namespace ritz
