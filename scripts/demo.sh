@@ -35,7 +35,7 @@ reduced_beside_full twist config/rubber_twist.opts config/rubber_twist.toml \
   "A rubber cantilever, 300 x 45 x 30 mm, twisted and let go: 2400 degrees of freedom beside 5" --twist
 
 say
-say "The model:            $out/model.h5 (for ParaView: $out/model.vtkhdf)"
+say "The model:            $out/model.h5 (for ParaView: $out/model.hdf)"
 say "Its frequencies:      $out/frequencies.csv"
 say "The motion:           $out/motion.xdmf (for ParaView), $out/motion.h5"
 say "The probes:           $out/probes.csv"

@@ -5,7 +5,7 @@
 #include "ritz/app/reduced_parts.hpp"
 #include "ritz/app/snapshots.hpp"
 #include "ritz/base/shown.hpp"
-#include "ritz/fem/dispatch.hpp"
+#include "ritz/fem/element.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/stages/reduce_polynomial.hpp"
 
@@ -33,13 +33,13 @@ struct Points {
 
 Points points_of(const mesh::Mesh& mesh) {
   Points points;
-  for (int cell = 0; cell < mesh.cells.count(); ++cell)
-    fem::visit(mesh.cells.types[static_cast<std::size_t>(cell)], [&]<class E>(E) {
-      const auto samples = static_cast<double>(E::rule.size());
-      points.loads += samples * (170 + 18 * E::vertices);
-      points.forces += samples * (250 + 60 * E::vertices);
-      if (cell < mesh.cells.owned) points.owned += samples;
-    });
+  for (int cell = 0; cell < mesh.cells.count(); ++cell) {
+    const auto& element = fem::element(mesh.cells.types[static_cast<std::size_t>(cell)]);
+    const double samples = element.rule.count();
+    points.loads += samples * (170 + 18 * element.vertices);
+    points.forces += samples * (250 + 60 * element.vertices);
+    if (cell < mesh.cells.owned) points.owned += samples;
+  }
   for (double* most : {&points.owned, &points.loads, &points.forces}) *most = parallel::max(mesh.comm, *most);
   return points;
 }

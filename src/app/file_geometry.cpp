@@ -70,8 +70,8 @@ Drawn drawn_cells(const mesh::Mesh& mesh, const std::vector<int64_t>& positions,
   }
   for (const auto face : mesh.boundary) {
     const auto c = static_cast<std::size_t>(face.cell);
-    drawn.add(mesh.cells.numbers[c] * faces_a_cell + face.face, fem::shape(fem::shape(mesh.cells.types[c]).face).vtk,
-              rows_of(mesh::face_vertices(mesh, face)));
+    drawn.add(mesh.cells.numbers[c] * faces_a_cell + face.face,
+              fem::shape(fem::side(mesh.cells.types[c], face.face).type).vtk, rows_of(mesh::face_vertices(mesh, face)));
   }
   return drawn;
 }

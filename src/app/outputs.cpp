@@ -61,7 +61,7 @@ Outputs claim_model(MPI_Comm comm, const config::Config& config) {
   if (config.reuse) plan.replaceable.push_back(of_option("reuse", *config.reuse));
   plan.outputs.push_back(beside("the table", files::table_beside(config.output, "frequencies")));
   for (const auto& file : exported_files(config)) plan.outputs.push_back(beside("the matrix", file));
-  if (const auto link = fs::path(config.output).replace_extension(".vtkhdf"); link != config.output)
+  if (const auto link = fs::path(config.output).replace_extension(".hdf"); link != config.output)
     plan.links.push_back(beside("the link", link));
   return {comm, plan};
 }

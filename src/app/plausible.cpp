@@ -113,8 +113,8 @@ std::string unlikely_material(const mesh::Region& region, const Solid& m, const 
 
 Extent extent(const mesh::Mesh& mesh, const fem::Materials& materials) {
   double mass = 0;
-  stages::each_owned_cell(mesh, materials, [&]<class E>(const stages::Cell<E>& cell) {
-    mass += cell.material.density * fem::volume<E>(cell.x);
+  stages::each_owned_cell(mesh, materials, [&](const stages::Cell& cell) {
+    mass += cell.material.density * fem::volume(cell.type, cell.x);
   });
   return {mesh::bounding_box(mesh).size(), parallel::sum(mesh.comm, mass)};
 }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array entries = std::to_array<OptionEntry>({
     {"mesh", "FILE | box:LX,LY,LZ/NX,NY,NZ/TYPE", "", "required",
-     "the mesh: .msh, .veg, .inp or .vtu, or a generated beam of tet4, tet10 or hex8"},
+     "the mesh: .msh, .veg, .inp or .vtu, or a generated beam of tet4, tet10, hex8, hex20, wedge6 or wedge15"},
     {"units", "LENGTH-MASS-TIME", "", "m-kg-s",
      "the units of the mesh, its materials, -material_* and -fix box:, such as mm-t-s"},
     {"partitioner", "metis | ptscotch", "", "metis", "what cuts a mesh file into one part a rank"},

@@ -1,79 +1,97 @@
 #include "ritz/fem/geometry.hpp"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "instantiate.hpp"
-#include "ritz/fem/strain.hpp"
+#include "ritz/fem/element.hpp"
+#include "ritz/fem/integration_points.hpp"
 
 namespace ritz::fem {
 namespace {
 
-/// The least of `known` and det J at the points of a rule.
-template <class E>
-double smallest_over(const auto& rule, const Coordinates<E>& origin_first, double known) {
-  for (const auto& sample : rule) known = std::min(known, jacobian<E>(origin_first, sample.xi).determinant());
-  return known;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// det J at a point of a table.
+double determinant(const Tabulated& table, int point, const CellVectors& from_first) {
+  const GradientsRef reference(table.gradients.data() + 3 * from_first.cols() * point, from_first.cols(), 3);
+  const Matrix<3, 3> J = from_first.lazyProduct(reference);
+  return J.determinant();
+}
+
+/// The least det J at the first `count` points of a table.
+double smallest_over(const Tabulated& table, int count, const CellVectors& from_first) {
+  double smallest = infinity;
+  for (int q = 0; q < count; ++q) smallest = std::min(smallest, determinant(table, q, from_first));
+  return smallest;
 }
 
 }  // namespace
 
-template <class E>
-double volume(const Coordinates<E>& x) {
-  const Coordinates<E> origin_first = relative<E>(x);
+double volume(CellType type, const CellVectors& x) {
+  const auto& rule = element(type).mass_rule;
+  const CellVectors from_first = relative(x);
   double sum = 0;
-  for (const auto& [xi, weight] : E::mass_rule) sum += weight * jacobian<E>(origin_first, xi).determinant();
+  for (int q = 0; q < rule.count(); ++q)
+    sum += rule.weights[static_cast<std::size_t>(q)] * determinant(rule, q, from_first);
   return sum;
 }
 
-template <class E>
-double smallest_jacobian(const Coordinates<E>& x) {
-  const Coordinates<E> origin_first = relative<E>(x);
-  double smallest = smallest_over<E>(E::rule, origin_first, std::numeric_limits<double>::infinity());
-  for (int corner = 0; corner < shape(E::type).corners; ++corner)
-    smallest = std::min(smallest, jacobian<E>(origin_first, E::reference[corner]).determinant());
-  return smallest;
+double smallest_jacobian(CellType type, const CellVectors& x) {
+  const auto& of = element(type);
+  const CellVectors from_first = relative(x);
+  return std::min(smallest_over(of.rule, of.rule.count(), from_first),
+                  smallest_over(of.at_vertices, shape(type).corners, from_first));
 }
 
-template <class E>
-double smallest_integrated_jacobian(const Coordinates<E>& x) {
-  const Coordinates<E> origin_first = relative<E>(x);
-  return smallest_over<E>(E::mass_rule, origin_first,
-                          smallest_over<E>(E::rule, origin_first, std::numeric_limits<double>::infinity()));
+double smallest_integrated_jacobian(CellType type, const CellVectors& x) {
+  const auto& of = element(type);
+  const CellVectors from_first = relative(x);
+  return std::min(smallest_over(of.rule, of.rule.count(), from_first),
+                  smallest_over(of.mass_rule, of.mass_rule.count(), from_first));
 }
 
-template <class E>
-bool turned_inside_out(const Coordinates<E>& x, const Coordinates<E>& u) {
-  const Coordinates<E> origin_first = relative<E>(x), relative_u = relative<E>(u);
-  return std::any_of(E::rule.begin(), E::rule.end(), [&](const auto& sample) {
-    const Matrix<3, 3> G = relative_u * physical_gradients<E>(origin_first, sample).gradients;
-    return (Matrix<3, 3>::Identity() + G).determinant() <= 0;
-  });
-}
-
-template <class E>
-double shortest_edge(const Coordinates<E>& x) {
-  constexpr CellShape cell = shape(E::type);
-  constexpr int corners = shape(cell.face).corners;
-  double shortest = std::numeric_limits<double>::infinity();
-  for (int face = 0; face < cell.faces; ++face) {
-    const auto v = face_vertices(E::type, face);
-    for (int i = 0; i < corners; ++i) shortest = std::min(shortest, (x.col(v[i]) - x.col(v[(i + 1) % corners])).norm());
+bool turned_inside_out(CellType type, const CellVectors& x, const CellVectors& u) {
+  const IntegrationPoints points(type, x);
+  const CellVectors from_first = relative(u);
+  for (int q = 0; q < points.count(); ++q) {
+    const Matrix<3, 3> F = Matrix<3, 3>::Identity() + from_first.lazyProduct(points.gradients(q));
+    if (F.determinant() <= 0) return true;
   }
+  return false;
+}
+
+bool straight(CellType type, const CellVectors& x) {
+  const CellShape cell = shape(type);
+  if (!cell.quadratic()) return true;
+  const CellVectors r = relative(x);
+  const double tolerance = 8 * std::numeric_limits<double>::epsilon() * r.leftCols(cell.corners).cwiseAbs().maxCoeff();
+  for (std::size_t e = 0; e < cell.edges.size(); ++e) {
+    const auto [i, j] = cell.edges[e];
+    const Vector<3> away = (r.col(i) + r.col(j)) / 2 - r.col(cell.corners + static_cast<int>(e));
+    if (away.cwiseAbs().maxCoeff() > tolerance) return false;
+  }
+  return true;
+}
+
+double shortest_edge(CellType type, const CellVectors& x) {
+  double shortest = infinity;
+  for (const auto& [i, j] : shape(type).edges) shortest = std::min(shortest, (x.col(i) - x.col(j)).norm());
   return shortest;
 }
 
-template <class E>
-requires(shape(E::type).corners == 4) double smallest_dihedral(const Coordinates<E>& x) {
-  const Coordinates<E> r = relative<E>(x);
+double smallest_dihedral(const CellVectors& x) {
+  const CellVectors r = relative(x);
   const auto normal = [&](int face) -> Vector<3> {
-    const auto v = face_vertices(E::type, face);
-    return (r.col(v[1]) - r.col(v[0])).cross(r.col(v[2]) - r.col(v[0]));
+    const auto v = face_vertices(CellType::tet4, face);
+    const Vector<3> along = r.col(v[1]) - r.col(v[0]), across = r.col(v[2]) - r.col(v[0]);
+    return along.cross(across);
   };
-  const double six_volumes = std::abs(r.col(1).cross(r.col(2)).dot(r.col(3)));
+  const Vector<3> a = r.col(1), b = r.col(2), c = r.col(3);
+  const double six_volumes = std::abs(a.cross(b).dot(c));
   // Faces f and g share an edge; |n_f x n_g| = 6 V |edge| keeps small angles to full precision.
   constexpr int shared[6][4] = {{0, 1, 0, 1}, {0, 2, 1, 2}, {0, 3, 0, 2}, {1, 2, 1, 3}, {1, 3, 0, 3}, {2, 3, 2, 3}};
   double smallest = std::numbers::pi;
@@ -81,16 +99,5 @@ requires(shape(E::type).corners == 4) double smallest_dihedral(const Coordinates
     smallest = std::min(smallest, std::atan2(six_volumes * (r.col(j) - r.col(i)).norm(), -normal(f).dot(normal(g))));
   return smallest * 180 / std::numbers::pi;
 }
-
-#define INSTANTIATE(E)                                                              \
-  template double volume<E>(const Coordinates<E>&);                                 \
-  template double smallest_jacobian<E>(const Coordinates<E>&);                      \
-  template double smallest_integrated_jacobian<E>(const Coordinates<E>&);           \
-  template bool turned_inside_out<E>(const Coordinates<E>&, const Coordinates<E>&); \
-  template double shortest_edge<E>(const Coordinates<E>&);
-RITZ_ELEMENTS(INSTANTIATE)
-#undef INSTANTIATE
-template double smallest_dihedral<Tet4>(const Coordinates<Tet4>&);
-template double smallest_dihedral<Tet10>(const Coordinates<Tet10>&);
 
 }  // namespace ritz::fem

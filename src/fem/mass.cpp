@@ -1,27 +1,46 @@
 #include "ritz/fem/mass.hpp"
 
-#include <limits>
+#include <Eigen/LU>
+#include <algorithm>
 
-#include "instantiate.hpp"
-#include "ritz/fem/strain.hpp"
+#include "ritz/base/simd.hpp"
+#include "ritz/fem/element.hpp"
+#include "ritz/fem/geometry.hpp"
 
 namespace ritz::fem {
 namespace {
 
-/// Of a tetrahedron of mass `mass` with straight edges and vertices in their middle, kg.
-MassMatrix<Tet10> straight_mass(double mass) {
-  MassMatrix<Tet10> M;
+/// Adds m N Nᵀ above the diagonal and on it.
+RITZ_WIDE void add_outer(int n, double m, const double* N, double* M) {
+  for (int b = 0; b < n; ++b)
+    for (int a = 0; a <= b; ++a) M[a + n * b] += m * N[b] * N[a];
+}
+
+/// Six times the volume of a tetrahedron with straight edges.
+double six_volumes(const CellVectors& x) { return relative(x).middleCols<3>(1).determinant(); }
+
+VertexMatrix linear_tetrahedron(double mass) {
+  VertexMatrix M = VertexMatrix::Ones(4, 4);
+  M.diagonal().setConstant(2);
+  return M * (mass / 20);
+}
+
+/// Of a tetrahedron with straight edges and vertices in their middle.
+VertexMatrix straight_quadratic_tetrahedron(double mass) {
+  VertexMatrix M(10, 10);
   M.topLeftCorner<4, 4>().setConstant(1);
   M.bottomRightCorner<6, 6>().setConstant(16);
   M.topRightCorner<4, 6>().setConstant(-6);
+  const auto edges = shape(CellType::tet10).edges;
   for (int a = 0; a < 4; ++a) M(a, a) = 6;
-  for (int e = 0; e < 6; ++e) {
-    const auto [i, j] = Tet10::edges[e];
-    M(i, 4 + e) = M(j, 4 + e) = -4;
-    M(4 + e, 4 + e) = 32;
-    for (int f = 0; f < 6; ++f) {
-      const auto [k, l] = Tet10::edges[f];
-      if (i != k && i != l && j != k && j != l) M(4 + e, 4 + f) = 8;
+  for (std::size_t e = 0; e < 6; ++e) {
+    const auto [i, j] = edges[e];
+    const int row = 4 + static_cast<int>(e);
+    M(i, row) = M(j, row) = -4;
+    M(row, row) = 32;
+    for (std::size_t f = 0; f < 6; ++f) {
+      const auto [k, l] = edges[f];
+      if (i != k && i != l && j != k && j != l) M(row, 4 + static_cast<int>(f)) = 8;
     }
   }
   M.bottomLeftCorner<6, 4>() = M.topRightCorner<4, 6>().transpose();
@@ -30,46 +49,26 @@ MassMatrix<Tet10> straight_mass(double mass) {
 
 }  // namespace
 
-template <class E>
-MassMatrix<E> mass_by_quadrature(const Coordinates<E>& x, double density) {
-  const Coordinates<E> origin_first = relative<E>(x);
-  MassMatrix<E> M = MassMatrix<E>::Zero();
-  for (const auto& [xi, weight] : E::mass_rule) {
-    const Vector<E::vertices> N = E::shape(xi);
-    const double m = density * weight * jacobian<E>(origin_first, xi).determinant();
-    for (int b = 0; b < E::vertices; ++b) M.col(b) += (m * N[b]) * N;
+VertexMatrix mass_by_quadrature(CellType type, const CellVectors& x, double density) {
+  const auto& rule = element(type).mass_rule;
+  const CellVectors from_first = relative(x);
+  const int n = element(type).vertices;
+  VertexMatrix M = VertexMatrix::Zero(n, n);
+  for (int q = 0; q < rule.count(); ++q) {
+    const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 3>> reference(rule.gradients.data() + 3 * n * q, n, 3);
+    const Matrix<3, 3> J = from_first.lazyProduct(reference);
+    add_outer(n, density * rule.weights[static_cast<std::size_t>(q)] * J.determinant(), rule.values.data() + n * q,
+              M.data());
   }
-  M.template triangularView<Eigen::StrictlyLower>() = M.transpose();
+  for (int b = 0; b < n; ++b)
+    for (int a = 0; a < b; ++a) M(b, a) = M(a, b);
   return M;
 }
 
-bool straight(const Coordinates<Tet10>& x) {
-  const Coordinates<Tet10> r = relative<Tet10>(x);
-  const double tolerance = 8 * std::numeric_limits<double>::epsilon() * r.leftCols<4>().cwiseAbs().maxCoeff();
-  for (int e = 0; e < 6; ++e) {
-    const auto [i, j] = Tet10::edges[e];
-    if (((r.col(i) + r.col(j)) / 2 - r.col(4 + e)).cwiseAbs().maxCoeff() > tolerance) return false;
-  }
-  return true;
+VertexMatrix mass(CellType type, const CellVectors& x, double density) {
+  if (type == CellType::tet4) return linear_tetrahedron(density * six_volumes(x) / 6);
+  if (type == CellType::tet10 && straight(type, x)) return straight_quadratic_tetrahedron(density * six_volumes(x) / 6);
+  return mass_by_quadrature(type, x, density);
 }
-
-template <class E>
-MassMatrix<E> mass(const Coordinates<E>& x, double density) {
-  if constexpr (E::type == CellType::tet4) {
-    const double total = density * jacobian<E>(relative<E>(x), {}).determinant() / 6;
-    return (MassMatrix<E>::Ones() + MassMatrix<E>::Identity()) * (total / 20);
-  } else if constexpr (E::type == CellType::tet10) {
-    if (!straight(x)) return mass_by_quadrature<E>(x, density);
-    return straight_mass(density * jacobian<Tet4>(relative<Tet10>(x).template leftCols<4>(), {}).determinant() / 6);
-  } else {
-    return mass_by_quadrature<E>(x, density);
-  }
-}
-
-#define INSTANTIATE(E)                                                         \
-  template MassMatrix<E> mass_by_quadrature<E>(const Coordinates<E>&, double); \
-  template MassMatrix<E> mass<E>(const Coordinates<E>&, double);
-RITZ_ELEMENTS(INSTANTIATE)
-#undef INSTANTIATE
 
 }  // namespace ritz::fem

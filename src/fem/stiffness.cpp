@@ -1,38 +1,44 @@
 #include "ritz/fem/stiffness.hpp"
 
-#include "instantiate.hpp"
+#include <algorithm>
+
+#include "ritz/base/simd.hpp"
+#include "ritz/fem/integration_points.hpp"
 
 namespace ritz::fem {
+namespace {
 
-template <class E>
-Matrix<3 * E::vertices, 3 * E::vertices> stiffness(const Coordinates<E>& x, const ElasticConstants& material) {
-  constexpr int n = E::vertices, points = static_cast<int>(E::rule.size());
-  const double lambda = material.lambda, mu = material.mu;
-
-  const Coordinates<E> origin_first = relative<E>(x);
-  Matrix<3 * n, points> gradients, weighted;  // column q, rows 3a ... 3a+2: ∇N_a at point q
-  for (int q = 0; q < points; ++q) {
-    const auto [g, weight] = physical_gradients<E>(origin_first, E::rule[q]);
-    for (int a = 0; a < n; ++a) gradients.template block<3, 1>(3 * a, q) = g.row(a).transpose();
-    weighted.col(q) = weight * gradients.col(q);
-  }
-
-  Matrix<3 * n, 3 * n> K;
+/// Adds what one point gives to P_ij = ∫ dN_a/dx_i dN_b/dx_j for a <= b, at ((3b + j) 3 + i) n + a.
+RITZ_WIDE void add_outer_products(int n, double weight, const double* gradients, double* P) {
   for (int b = 0; b < n; ++b)
-    for (int a = 0; a <= b; ++a) {
-      const Matrix<3, 3> P =
-          weighted.template middleRows<3>(3 * a).lazyProduct(gradients.template middleRows<3>(3 * b).transpose());
-      auto block = K.template block<3, 3>(3 * a, 3 * b);
-      block = lambda * P + mu * P.transpose();
-      block.diagonal().array() += mu * P.trace();
+    for (int j = 0; j < 3; ++j) {
+      const double factor = weight * gradients[b + n * j];
+      for (int i = 0; i < 3; ++i, P += n)
+        for (int a = 0; a <= b; ++a) P[a] += factor * gradients[a + n * i];
     }
-  K.template triangularView<Eigen::StrictlyLower>() = K.transpose();
-  return K;
 }
 
-#define INSTANTIATE(E) \
-  template Matrix<3 * E::vertices, 3 * E::vertices> stiffness<E>(const Coordinates<E>&, const ElasticConstants&);
-RITZ_ELEMENTS(INSTANTIATE)
-#undef INSTANTIATE
+}  // namespace
+
+CellMatrix stiffness(CellType type, const CellVectors& x, const ElasticConstants& material) {
+  const IntegrationPoints points(type, x);
+  const int n = points.vertices();
+  std::array<double, 9 * max_cell_vertices * max_cell_vertices> products;
+  std::fill_n(products.data(), 9 * n * n, 0.0);
+  for (int q = 0; q < points.count(); ++q) add_outer_products(n, points.weight(q), points.data(q), products.data());
+
+  const double lambda = material.lambda, mu = material.mu;
+  CellMatrix K(3 * n, 3 * n);
+  for (int b = 0; b < n; ++b)
+    for (int a = 0; a <= b; ++a) {
+      const double* from = products.data() + 9 * n * b + a;
+      const auto P = [&](int i, int j) { return from[(3 * j + i) * n]; };
+      const double trace = mu * (P(0, 0) + P(1, 1) + P(2, 2));
+      for (int j = 0; j < 3; ++j)
+        for (int i = 0; i < 3; ++i) K(3 * a + i, 3 * b + j) = lambda * P(i, j) + mu * P(j, i) + (i == j ? trace : 0);
+    }
+  K.triangularView<Eigen::StrictlyLower>() = K.transpose();
+  return K;
+}
 
 }  // namespace ritz::fem

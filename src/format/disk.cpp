@@ -26,7 +26,7 @@ void release_room(const std::filesystem::path& file) {
 
 void link_beside(const std::filesystem::path& path) {
   auto link = path;
-  link.replace_extension(".vtkhdf");
+  link.replace_extension(".hdf");
   std::error_code ignored;
   if (link == path) return;
   const auto there = std::filesystem::symlink_status(link, ignored);

@@ -12,7 +12,7 @@ int reserve(const std::filesystem::path& file, std::uint64_t bytes);
 /// Releases reserved space that was not used.
 void release_room(const std::filesystem::path& file);
 
-/// Makes the link PATH with the ending .vtkhdf, which ParaView requires. Does nothing where no link can be made or a
+/// Makes the link PATH with the ending .hdf, which ParaView requires. Does nothing where no link can be made or a
 /// real file stands there.
 void link_beside(const std::filesystem::path& path);
 

@@ -83,15 +83,9 @@ bool in_range(const std::vector<Index>& rows, Index count) {
 
 /// How many vertices a cell of this VTK type has; 0 for a type that no model has.
 Index cell_size(std::uint8_t vtk) {
-  switch (vtk) {
-    case 5: return 3;    // triangle
-    case 9: return 4;    // quadrangle
-    case 10: return 4;   // tetrahedron
-    case 12: return 8;   // hexahedron
-    case 22: return 6;   // curved triangle
-    case 24: return 10;  // curved tetrahedron
-    default: return 0;
-  }
+  if (const auto cell = fem::cell_of_vtk(vtk)) return fem::shape(*cell).vertices;
+  if (const auto face = fem::face_of_vtk(vtk)) return fem::shape(*face).vertices;
+  return 0;
 }
 
 void check_cell_sizes(const ModelReader& in, const std::string& group, const model::DrawnCells& cells) {

@@ -60,8 +60,7 @@ void ModelReader::require_body(std::string_view name) const {
   const auto names = bodies();
   if (std::ranges::find(names, name) != names.end()) return;
   if (names.empty()) fail(*this, std::string(schema::bodies), "is missing or empty");
-  throw InputError(this->name() + " has no body '" + std::string(name) + "'; did you mean '" + nearest(name, names) +
-                   "'?");
+  throw InputError(this->name() + " has no body '" + std::string(name) + "'" + hint(name, names));
 }
 
 bool ModelReader::has(std::string_view part, std::string_view body) const {

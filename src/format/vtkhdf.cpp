@@ -54,7 +54,7 @@ void write_point_vector(const ModelWriter& out, std::string_view body, const std
 
 files::PartFile view_file(const std::filesystem::path& model, const std::string& body, const std::string& home) {
   auto path = model;
-  files::PartFile part(path.replace_extension(body + ".vtkhdf"));
+  files::PartFile part(path.replace_extension(body + ".hdf"));
   const auto room = [&] {
     constexpr std::uint64_t bytes = 1 << 16;
     if (const int error = reserve(part.part(), bytes)) files::fail_to_write(path, error);

@@ -17,7 +17,7 @@ void write_grid(const ModelWriter& out, std::string_view body, const GeometrySli
 void write_point_vector(const ModelWriter& out, std::string_view body, const std::string& path,
                         const std::string& name);
 
-/// The file MODEL.BODY.vtkhdf beside the file `model`, written but not published: it contains an external link to the
+/// The file MODEL.BODY.hdf beside the file `model`, written but not published: it contains an external link to the
 /// VTKHDF group of one of several bodies, which is stored in the group `home`. `body` is a link name. Throws as
 /// files::PartFile does.
 files::PartFile view_file(const std::filesystem::path& model, const std::string& body, const std::string& home);

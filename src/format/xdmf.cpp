@@ -4,21 +4,16 @@
 #include <sstream>
 
 #include "ritz/base/error.hpp"
+#include "ritz/fem/cell.hpp"
 #include "ritz/format/schema.hpp"
 
 namespace ritz::format {
 namespace {
 
 std::int64_t xdmf_type(std::uint8_t vtk) {
-  switch (vtk) {
-    case 5: return 4;      // triangle
-    case 9: return 5;      // quadrilateral
-    case 10: return 6;     // tetrahedron
-    case 12: return 9;     // hexahedron
-    case 22: return 0x24;  // quadratic triangle
-    case 24: return 0x26;  // quadratic tetrahedron
-    default: throw InputError("the model has cells of VTK type " + std::to_string(vtk) + ", which cannot be drawn");
-  }
+  if (const auto cell = fem::cell_of_vtk(vtk)) return fem::shape(*cell).xdmf;
+  if (const auto face = fem::face_of_vtk(vtk)) return fem::shape(*face).xdmf;
+  throw InputError("the model has cells of VTK type " + std::to_string(vtk) + ", which cannot be drawn");
 }
 
 std::string escaped(const std::string& text) {

@@ -60,14 +60,47 @@ class Cut {
   int ranks_;
 };
 
-/// Positions on the vertex grid: half the cells' spacing for Tet10, else the same.
-struct VertexGrid {
-  Grid cells;
-  Index step;  ///< vertex grid steps a cell: 2 for Tet10, else 1
+/// The grid of the vertices: half the cells' spacing for quadratic cells, else the same. Not every place on it has a
+/// vertex: Hex20 and Wedge15 have none in the middles of cells and of some faces.
+class VertexGrid {
+ public:
+  VertexGrid(const Grid& cells, fem::CellType type)
+      : type_(type), step_(fem::shape(type).quadratic() ? 2 : 1), size_{0, 0, 0} {
+    for (std::size_t d = 0; d < 3; ++d) size_[d] = step_ * cells[d] + 1;
+  }
 
-  Index points(std::size_t d) const { return step * cells[d] + 1; }
-  Index number(const Grid& v) const { return v[0] + points(0) * (v[1] + points(1) * v[2]); }
-  Grid position(Index n) const { return {n % points(0), n / points(0) % points(1), n / points(0) / points(1)}; }
+  Index step() const { return step_; }  ///< grid steps a cell
+  Index last(std::size_t d) const { return size_[d] - 1; }
+  Index count() const { return before_plane(size_[2]); }
+  /// x runs fastest, then y, then z.
+  Index number(const Grid& v) const {
+    return before_plane(v[2]) + before_row(v[1], odd(v[2])) + v[0] / spacing(odd(v[1]), odd(v[2]));
+  }
+
+ private:
+  static bool odd(Index i) { return i % 2 != 0; }
+
+  /// Steps between vertices in a row along x, or 0 if it has none.
+  Index spacing(bool odd_y, bool odd_z) const {
+    if (type_ == fem::CellType::hex20) return odd_y && odd_z ? 0 : odd_y || odd_z ? 2 : 1;
+    if (type_ == fem::CellType::wedge15) return odd_z ? (odd_y ? 0 : 2) : 1;
+    return 1;
+  }
+  Index in_row(bool odd_y, bool odd_z) const {
+    const Index s = spacing(odd_y, odd_z);
+    return s == 0 ? 0 : (size_[0] - 1) / s + 1;
+  }
+  /// Of the rows 0 ... y - 1 of a plane.
+  Index before_row(Index y, bool odd_z) const {
+    return (y + 1) / 2 * in_row(false, odd_z) + y / 2 * in_row(true, odd_z);
+  }
+  Index before_plane(Index z) const {
+    return (z + 1) / 2 * before_row(size_[1], false) + z / 2 * before_row(size_[1], true);
+  }
+
+  fem::CellType type_;
+  Index step_;
+  Grid size_;
 };
 
 int owner_of(const Grid& v, const VertexGrid& grid, const Cut& cut) {
@@ -77,18 +110,25 @@ int owner_of(const Grid& v, const VertexGrid& grid, const Cut& cut) {
     bool inside = true;
     for (std::size_t d = 0; d < 3; ++d) {
       const Index shifted = v[d] - ((corner >> d) & 1);
-      inside = inside && shifted >= 0 && shifted < grid.step * grid.cells[d];
-      h[d] = shifted / grid.step;
+      inside = inside && shifted >= 0 && shifted < grid.last(d);
+      h[d] = shifted / grid.step();
     }
     if (inside) owner = std::min(owner, cut.rank_of(h));
   }
   return owner;
 }
 
-/// The corners of the cells of one hexahedron, as offsets 0 or 1 in each direction.
-std::vector<std::vector<Grid>> cell_corners(fem::CellType type) {
-  if (type == fem::CellType::hex8)
-    return {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}};
+/// The corners of the cells that fill one hexahedron of the grid, as offsets 0 or 1 in each direction.
+std::vector<std::vector<Grid>> hexahedron() {
+  return {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}};
+}
+
+std::vector<std::vector<Grid>> two_wedges() {
+  return {{{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}},
+          {{0, 0, 1}, {1, 1, 1}, {0, 1, 1}, {0, 0, 0}, {1, 1, 0}, {0, 1, 0}}};
+}
+
+std::vector<std::vector<Grid>> six_tetrahedra() {
   std::vector<std::vector<Grid>> tets;
   std::array<std::size_t, 3> axes = {0, 1, 2};
   do {
@@ -104,27 +144,29 @@ std::vector<std::vector<Grid>> cell_corners(fem::CellType type) {
   return tets;
 }
 
-std::vector<Grid> with_midpoints(std::vector<Grid> corners) {
-  constexpr std::array<std::pair<std::size_t, std::size_t>, 6> edges = {
-      {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
-  std::vector<Grid> all;
-  for (const auto& c : corners) all.push_back({2 * c[0], 2 * c[1], 2 * c[2]});
-  for (const auto& [a, b] : edges)
-    all.push_back({corners[a][0] + corners[b][0], corners[a][1] + corners[b][1], corners[a][2] + corners[b][2]});
-  return all;
+/// The cells of one hexahedron by their vertices, in steps of the vertex grid.
+std::vector<std::vector<Grid>> pattern(fem::CellType type) {
+  const auto shape = fem::shape(type);
+  auto cells = shape.linear == fem::CellType::hex8     ? hexahedron()
+               : shape.linear == fem::CellType::wedge6 ? two_wedges()
+                                                       : six_tetrahedra();
+  if (!shape.quadratic()) return cells;
+  for (auto& cell : cells) {
+    const auto corners = cell;
+    for (auto& v : cell) v = {2 * v[0], 2 * v[1], 2 * v[2]};
+    for (const auto& [i, j] : shape.edges) {
+      const auto &a = corners[static_cast<std::size_t>(i)], &b = corners[static_cast<std::size_t>(j)];
+      cell.push_back({a[0] + b[0], a[1] + b[1], a[2] + b[2]});
+    }
+  }
+  return cells;
 }
 
 /// Makes cells of a block of hexahedra and of the ring around it that touches owned vertices.
 class Maker {
  public:
   Maker(const Box& box, int rank, int ranks)
-      : box_(box),
-        rank_(rank),
-        cut_(box.cells, ranks),
-        grid_{box.cells, box.type == fem::CellType::tet10 ? 2 : 1},
-        pattern_(cell_corners(box.type)) {
-    if (box.type == fem::CellType::tet10)
-      for (auto& cell : pattern_) cell = with_midpoints(cell);
+      : box_(box), rank_(rank), cut_(box.cells, ranks), grid_(box.cells, box.type), pattern_(pattern(box.type)) {
     part_.sets.resize(7);
     for (auto& set : part_.sets) set.has_faces = true;
     part_.sets[6].has_faces = false;
@@ -162,7 +204,7 @@ class Maker {
       std::vector<Grid> at = pattern_[c];
       bool touches = owned;
       for (auto& v : at) {
-        for (std::size_t d = 0; d < 3; ++d) v[d] += grid_.step * h[d];
+        for (std::size_t d = 0; d < 3; ++d) v[d] += grid_.step() * h[d];
         touches = touches || owner_of(v, grid_, cut_) == rank_;
       }
       if (!touches) continue;
@@ -171,17 +213,21 @@ class Maker {
       part_.cell_ids.push_back(number + 1);
       part_.types.push_back(box_.type);
       part_.regions.push_back(0);
-      for (const auto& v : at) part_.cell_vertices.push_back(grid_.number(v));
+      for (const auto& v : at) {
+        const Index vertex = grid_.number(v);
+        part_.cell_vertices.push_back(vertex);
+        places_.emplace_back(vertex, v);
+      }
       if (owned) add_faces(at);
     }
   }
 
   void add_faces(const std::vector<Grid>& at) {
     const int cell = static_cast<int>(part_.types.size()) - 1;
-    for (int f = 0; f < fem::shape(box_.type).faces; ++f) {
+    for (int f = 0; f < std::ssize(fem::shape(box_.type).faces); ++f) {
       for (std::size_t side = 0; side < 6; ++side) {
         const std::size_t d = side / 2;
-        const Index plane = side % 2 ? grid_.step * box_.cells[d] : 0;
+        const Index plane = side % 2 ? grid_.last(d) : 0;
         const auto local = fem::face_vertices(box_.type, f);
         if (!std::all_of(local.begin(), local.end(),
                          [&](int v) { return at[static_cast<std::size_t>(v)][d] == plane; }))
@@ -193,16 +239,15 @@ class Maker {
   }
 
   void add_vertices() {
-    part_.positions = part_.cell_vertices;
-    std::sort(part_.positions.begin(), part_.positions.end());
-    part_.positions.erase(std::unique(part_.positions.begin(), part_.positions.end()), part_.positions.end());
-    for (const Index n : part_.positions) {
-      const Grid v = grid_.position(n);
+    std::sort(places_.begin(), places_.end());
+    places_.erase(std::unique(places_.begin(), places_.end()), places_.end());
+    for (const auto& [n, v] : places_) {
+      part_.positions.push_back(n);
       part_.ids.push_back(n + 1);
       part_.owners.push_back(owner_of(v, grid_, cut_));
       part_.pieces.push_back(0);
       for (std::size_t d = 0; d < 3; ++d) {
-        const Index last = grid_.step * box_.cells[d];
+        const Index last = grid_.last(d);
         part_.points.push_back(box_.lengths[d] * static_cast<double>(v[d]) / static_cast<double>(last));
         if (v[d] == 0) part_.sets[2 * d].vertices.push_back(n);
         if (v[d] == last) part_.sets[2 * d + 1].vertices.push_back(n);
@@ -216,6 +261,7 @@ class Maker {
   Cut cut_;
   VertexGrid grid_;
   std::vector<std::vector<Grid>> pattern_;
+  std::vector<std::pair<Index, Grid>> places_;  ///< of vertices, by their numbers
   Part part_;
 };
 
@@ -225,7 +271,7 @@ T parse_number(std::string_view word, std::string_view text) {
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (error != std::errc() || end != word.data() + word.size())
     throw InputError("option -mesh " + std::string(text) + ": '" + std::string(word) +
-                     "' is not a number; write box:LX,LY,LZ/NX,NY,NZ/tet4 (or tet10, hex8)");
+                     "' is not a number; write box:LX,LY,LZ/NX,NY,NZ/tet4 (or tet10, hex8, hex20, wedge6, wedge15)");
   return value;
 }
 
@@ -236,7 +282,8 @@ std::array<T, 3> parse_three(std::string_view words, std::string_view text) {
     const auto comma = d < 2 ? words.find(',') : words.size();
     if (comma == words.npos)
       throw InputError("option -mesh " + std::string(text) +
-                       " needs three lengths and three counts; write box:LX,LY,LZ/NX,NY,NZ/tet4 (or tet10, hex8)");
+                       " needs three lengths and three counts; write box:LX,LY,LZ/NX,NY,NZ/tet4 (or tet10, hex8, "
+                       "hex20, wedge6, wedge15)");
     values[d] = parse_number<T>(words.substr(0, comma), text);
     words.remove_prefix(std::min(words.size(), comma + 1));
   }
@@ -244,10 +291,10 @@ std::array<T, 3> parse_three(std::string_view words, std::string_view text) {
 }
 
 fem::CellType parse_type(std::string_view word, std::string_view text) {
-  for (const auto type : {fem::CellType::tet4, fem::CellType::tet10, fem::CellType::hex8})
-    if (fem::shape(type).name == word) return type;
-  throw InputError("option -mesh " + std::string(text) + ": a box is made of tet4, tet10 or hex8, not '" +
-                   std::string(word) + "'");
+  for (const auto type : fem::cell_types)
+    if (fem::shape(type).name == word && type != fem::CellType::pyramid5) return type;
+  throw InputError("option -mesh " + std::string(text) +
+                   ": a box is made of tet4, tet10, hex8, hex20, wedge6 or wedge15, not '" + std::string(word) + "'");
 }
 
 }  // namespace
@@ -260,7 +307,7 @@ Box parse_box(std::string_view text) {
   const auto last = body.rfind('/');
   if (slash == last)
     throw InputError("option -mesh " + std::string(text) +
-                     " is not of the form box:LX,LY,LZ/NX,NY,NZ/tet4 (or tet10, hex8)");
+                     " is not of the form box:LX,LY,LZ/NX,NY,NZ/tet4 (or tet10, hex8, hex20, wedge6, wedge15)");
   const Box box{parse_three<double>(body.substr(0, slash), text),
                 parse_three<Index>(body.substr(slash + 1, last - slash - 1), text),
                 parse_type(body.substr(last + 1), text)};
@@ -268,7 +315,7 @@ Box parse_box(std::string_view text) {
     if (!(box.lengths[d] > 0) || !std::isfinite(box.lengths[d]) || box.cells[d] < 1)
       throw InputError("option -mesh " + std::string(text) + ": lengths and counts must be positive");
   double vertices = 1;
-  for (const auto n : box.cells) vertices *= static_cast<double>(n) * (box.type == fem::CellType::tet10 ? 2 : 1) + 1;
+  for (const auto n : box.cells) vertices *= static_cast<double>(n) * (fem::shape(box.type).quadratic() ? 2 : 1) + 1;
   if (vertices > 1e9)
     throw InputError("option -mesh " + std::string(text) + ": more than 1e9 vertices; use a coarser grid");
   return box;
@@ -277,9 +324,8 @@ Box parse_box(std::string_view text) {
 std::pair<Part, Shared> make_box(MPI_Comm comm, const Box& box) {
   Maker maker(box, parallel::rank(comm), parallel::size(comm));
   Shared shared;
-  const VertexGrid grid{box.cells, box.type == fem::CellType::tet10 ? 2 : 1};
-  shared.vertices_total = grid.points(0) * grid.points(1) * grid.points(2);
-  shared.cells_total = box.cells[0] * box.cells[1] * box.cells[2] * (box.type == fem::CellType::hex8 ? 1 : 6);
+  shared.vertices_total = VertexGrid(box.cells, box.type).count();
+  shared.cells_total = box.cells[0] * box.cells[1] * box.cells[2] * std::ssize(pattern(box.type));
   shared.regions = {{"body", {}}};
   shared.set_names = {"xmin", "xmax", "ymin", "ymax", "zmin", "zmax", "body"};
   return {maker.make(), std::move(shared)};

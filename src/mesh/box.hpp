@@ -11,8 +11,8 @@
 namespace ritz::mesh {
 
 /// A box [0, lengths] divided into cells[0] x cells[1] x cells[2] hexahedra, or each of those into Kuhn's six
-/// tetrahedra. Vertices are numbered with x running fastest, then y, then z; those of tet10 lie on the grid of half the
-/// spacing.
+/// tetrahedra or into two wedges. Vertices are numbered with x running fastest, then y, then z; those of quadratic cells
+/// lie on the grid of half the spacing.
 struct Box {
   std::array<double, 3> lengths;  ///< in the units of the mesh option
   std::array<Index, 3> cells;
@@ -22,7 +22,7 @@ struct Box {
 /// Whether `text` describes a box: it begins with "box:".
 bool names_box(std::string_view text);
 
-/// Parses "box:LX,LY,LZ/NX,NY,NZ/tet4" (or tet10, hex8). Throws InputError.
+/// Parses "box:LX,LY,LZ/NX,NY,NZ/tet4" (or tet10, hex8, hex20, wedge6, wedge15). Throws InputError.
 Box parse_box(std::string_view text);
 
 /// *Collective*. This rank's part of the mesh, with the face sets xmin, xmax, ymin, ymax, zmin, zmax and the region

@@ -33,9 +33,8 @@ struct Around {
 };
 
 Around around(const FileMesh& mesh, Index cell, int face) {
-  const auto type = type_of(mesh, cell);
-  const auto local = fem::face_vertices(type, face);
-  Around corners{{}, static_cast<std::size_t>(fem::shape(fem::shape(type).face).corners)};
+  const auto local = fem::side(type_of(mesh, cell), face).corners();
+  Around corners{{}, local.size()};
   for (std::size_t i = 0; i < corners.count; ++i)
     corners.vertices[i] = corners_of(mesh, cell)[static_cast<std::size_t>(local[i])];
   return corners;
@@ -57,7 +56,7 @@ void refuse_twins(const FileMesh& mesh, Index a, Index b) {
                    " of the mesh share one face, where at most two can meet; leave out what overlaps");
 }
 
-bool has_middles(const FileMesh& mesh, Index cell) { return type_of(mesh, cell) == fem::CellType::tet10; }
+bool has_middles(const FileMesh& mesh, Index cell) { return fem::shape(type_of(mesh, cell)).quadratic(); }
 
 void add_pair(const FileMesh& mesh, MatchedFaces& matched, Index a, Index b) {
   matched.neighbours.push_back({a, b});
@@ -68,7 +67,7 @@ Meetings meet(const FileMesh& mesh, MatchedFaces& matched) {
   Meetings meetings;
   meetings.reserve(2 * mesh.cell_types.size());
   for (Index c = 0; c < std::ssize(mesh.cell_types); ++c)
-    for (int f = 0; f < fem::shape(type_of(mesh, c)).faces; ++f) {
+    for (int f = 0; f < std::ssize(fem::shape(type_of(mesh, c)).faces); ++f) {
       const auto corners = around(mesh, c, f);
       const auto key = face_key(std::span(corners.vertices).first(corners.count));
       auto& [first, second] = meetings.try_emplace(key, Meeting{{static_cast<int>(c), f}}).first->second;
@@ -88,8 +87,10 @@ void match_triangles(const FileMesh& mesh, CellFace quad, MatchedFaces& matched)
     const auto a = matched.boundary.find(face_key(std::array{v[i], v[i + 1], v[i + 2]}));
     const auto b = matched.boundary.find(face_key(std::array{v[i + 2], v[(i + 3) % 4], v[i]}));
     if (a == matched.boundary.end() || b == matched.boundary.end()) continue;
-    add_pair(mesh, matched, quad.cell, a->second.cell);
-    add_pair(mesh, matched, quad.cell, b->second.cell);
+    for (const auto triangle : {a->second.cell, b->second.cell}) {
+      matched.neighbours.push_back({quad.cell, triangle});
+      matched.hanging += has_middles(mesh, quad.cell) || has_middles(mesh, triangle);  // that of the diagonal, too
+    }
     matched.boundary.erase(a);
     matched.boundary.erase(b);
     matched.boundary.erase(face_key(v));

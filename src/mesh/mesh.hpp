@@ -98,7 +98,7 @@ struct Mesh {
   int connected_parts = 0;  ///< parts connected through faces, edges or vertices
   std::vector<Joint> joints;
   Index dropped_vertices = 0;  ///< vertices of the file that no cell uses
-  Index hanging_faces = 0;     ///< faces of a Tet10 on a cell with straight edges, which lacks their mid-edge vertices
+  Index hanging_faces = 0;     ///< faces with mid-edge vertices that the cell on the other side lacks
   std::uint64_t checksum = 0;  ///< of vertices, cells and regions; the same on any number of ranks
 
   int local_vertices() const { return static_cast<int>(file_positions.size()); }

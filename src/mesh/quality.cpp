@@ -7,9 +7,7 @@
 
 #include "ritz/base/error.hpp"
 #include "ritz/base/shown.hpp"
-#include "ritz/fem/dispatch.hpp"
 #include "ritz/fem/geometry.hpp"
-#include "ritz/fem/mass.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/parallel/guard.hpp"
 
@@ -20,29 +18,24 @@ namespace {
 enum class Fold : std::int32_t {
   none,
   corner,  ///< positive wherever the cell is integrated, not at a corner: its mid-edge vertices bend it there
-  middle,  ///< integrals mean nothing, though its corners alone are a good tetrahedron
+  middle,  ///< integrals mean nothing, though its corners alone are a good cell
   whole    ///< inverted or flat
 };
 
-Fold fold_of(const fem::Coordinates<fem::Tet10>& x) {
-  const bool corners = fem::smallest_jacobian<fem::Tet10>(x) > 0;
-  if (corners && fem::straight(x)) return Fold::none;
-  if (fem::smallest_integrated_jacobian<fem::Tet10>(x) > 0) return corners ? Fold::none : Fold::corner;
-  return fem::smallest_jacobian<fem::Tet4>(x.leftCols<4>()) > 0 ? Fold::middle : Fold::whole;
-}
-
 Fold fold_of(const Mesh& mesh, int cell) {
-  return fem::visit(mesh.cells.types[static_cast<std::size_t>(cell)], [&]<class E>(E) {
-    const fem::Coordinates<E> x = mesh.corners(cell);
-    if constexpr (E::type == fem::CellType::tet10) return fold_of(x);
-    else return fem::smallest_jacobian<E>(x) > 0 ? Fold::none : Fold::whole;
-  });
+  const auto type = mesh.cells.types[static_cast<std::size_t>(cell)];
+  const auto shape = fem::shape(type);
+  const fem::CellVectors x = mesh.corners(cell);
+  const bool corners = fem::smallest_jacobian(type, x) > 0;
+  if (!shape.quadratic()) return corners ? Fold::none : Fold::whole;
+  if (corners && fem::straight(type, x)) return Fold::none;
+  if (fem::smallest_integrated_jacobian(type, x) > 0) return corners ? Fold::none : Fold::corner;
+  return fem::smallest_jacobian(shape.linear, x.leftCols(shape.corners)) > 0 ? Fold::middle : Fold::whole;
 }
 
 double dihedral_of(const Mesh& mesh, int cell) {
   const auto type = mesh.cells.types[static_cast<std::size_t>(cell)];
-  if (fem::shape(type).corners != 4) return 180;
-  return fem::smallest_dihedral<fem::Tet4>(fem::Coordinates<fem::Tet4>(mesh.corners(cell).leftCols<4>()));
+  return fem::shape(type).corners == 4 ? fem::smallest_dihedral(mesh.corners(cell)) : 180;
 }
 
 /// Cells that share a fault, on all ranks.
@@ -123,7 +116,8 @@ std::vector<std::string> warnings(const Mesh& mesh) {
                     " dropped");
   if (mesh.hanging_faces > 0)
     notes.push_back(counted(mesh.hanging_faces, "face joins", "faces join") +
-                    " a tet10 to a tet4 or hex8: the mesh is not conforming there (mid-edge vertices hang), and cells "
+                    " a quadratic cell to one without its mid-edge vertices: the mesh is not conforming there "
+                    "(mid-edge vertices hang), and cells "
                     "come apart or overlap; use cells of one order");
   if (mesh.connected_parts > 1)
     notes.push_back("the mesh falls into " + std::to_string(mesh.connected_parts) + " disconnected pieces");

@@ -37,7 +37,7 @@ FaceKey face_key(std::span<const Index> corners);
 struct MatchedFaces {
   std::vector<std::array<Index, 2>> neighbours;                 ///< pairs of cells that share a face
   std::unordered_map<FaceKey, CellFace, FaceKeyHash> boundary;  ///< faces of one cell only
-  Index hanging = 0;                                            ///< pairs in which only one cell has mid-edge vertices
+  Index hanging = 0;  ///< pairs in which a mid-edge vertex is one of one cell only
 };
 
 /// Two cells share a face if it has the same corners; a quadrilateral is also shared with the two triangles into which

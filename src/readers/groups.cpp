@@ -6,7 +6,7 @@
 namespace ritz::readers {
 
 void join_group(Groups& groups, ListedMesh& mesh, Index tag) {
-  const int dimension = traits(mesh.shapes.back()).dimension;
+  const int dimension = mesh.shapes.back().dimension;
   auto& cells = groups.cells[{dimension, tag}];
   const auto cell = static_cast<Index>(mesh.shapes.size()) - 1;
   if (cells.empty() || cells.back() != cell) cells.push_back(cell);

@@ -11,19 +11,20 @@ struct Known {
   Shape shape;
 };
 
+constexpr Shape tri3 = Shape::of(fem::FaceType::tri3), tri6 = Shape::of(fem::FaceType::tri6),
+                quad4 = Shape::of(fem::FaceType::quad4), quad8 = Shape::of(fem::FaceType::quad8);
+
 constexpr Known lower[] = {
-    {"CPS3", Shape::tri3},   {"CPE3", Shape::tri3},    {"CPE3H", Shape::tri3},    {"CAX3", Shape::tri3},
-    {"S3", Shape::tri3},     {"S3R", Shape::tri3},     {"S3RS", Shape::tri3},     {"STRI3", Shape::tri3},
-    {"M3D3", Shape::tri3},   {"SFM3D3", Shape::tri3},  {"R3D3", Shape::tri3},     {"CPS6", Shape::tri6},
-    {"CPE6", Shape::tri6},   {"CAX6", Shape::tri6},    {"S6", Shape::tri6},       {"STRI65", Shape::tri6},
-    {"M3D6", Shape::tri6},   {"SFM3D6", Shape::tri6},  {"CPS4", Shape::quad4},    {"CPE4", Shape::quad4},
-    {"CAX4", Shape::quad4},  {"S4", Shape::quad4},     {"CPS4R", Shape::quad4},   {"CPE4R", Shape::quad4},
-    {"CAX4R", Shape::quad4}, {"CPS4I", Shape::quad4},  {"CPE4I", Shape::quad4},   {"CPE4H", Shape::quad4},
-    {"S4R", Shape::quad4},   {"S4RS", Shape::quad4},   {"S4R5", Shape::quad4},    {"M3D4", Shape::quad4},
-    {"M3D4R", Shape::quad4}, {"SFM3D4", Shape::quad4}, {"SFM3D4R", Shape::quad4}, {"R3D4", Shape::quad4},
-    {"T3D2", Shape::line2},  {"B31", Shape::line2},    {"B31R", Shape::line2},    {"T2D2", Shape::line2},
-    {"B21", Shape::line2},   {"B33", Shape::line2},    {"T3D3", Shape::line3},    {"B32", Shape::line3},
-    {"B32R", Shape::line3},  {"T2D3", Shape::line3}};
+    {"CPS3", tri3},    {"CPE3", tri3},     {"CPE3H", tri3},  {"CAX3", tri3},    {"S3", tri3},       {"S3R", tri3},
+    {"S3RS", tri3},    {"STRI3", tri3},    {"M3D3", tri3},   {"SFM3D3", tri3},  {"R3D3", tri3},     {"CPS6", tri6},
+    {"CPE6", tri6},    {"CAX6", tri6},     {"S6", tri6},     {"STRI65", tri6},  {"M3D6", tri6},     {"SFM3D6", tri6},
+    {"CPS4", quad4},   {"CPE4", quad4},    {"CAX4", quad4},  {"S4", quad4},     {"CPS4R", quad4},   {"CPE4R", quad4},
+    {"CAX4R", quad4},  {"CPS4I", quad4},   {"CPE4I", quad4}, {"CPE4H", quad4},  {"S4R", quad4},     {"S4RS", quad4},
+    {"S4R5", quad4},   {"M3D4", quad4},    {"M3D4R", quad4}, {"SFM3D4", quad4}, {"SFM3D4R", quad4}, {"R3D4", quad4},
+    {"CPS8", quad8},   {"CPE8", quad8},    {"CAX8", quad8},  {"S8", quad8},     {"CPS8R", quad8},   {"CPE8R", quad8},
+    {"CAX8R", quad8},  {"CPE8H", quad8},   {"S8R", quad8},   {"S8R5", quad8},   {"M3D8", quad8},    {"M3D8R", quad8},
+    {"SFM3D8", quad8}, {"SFM3D8R", quad8}, {"T3D2", line2},  {"B31", line2},    {"B31R", line2},    {"T2D2", line2},
+    {"B21", line2},    {"B33", line2},     {"T3D3", line3},  {"B32", line3},    {"B32R", line3},    {"T2D3", line3}};
 
 struct Suffix {
   std::string_view name;
@@ -53,17 +54,27 @@ constexpr Suffix of_hexahedra[] = {{"T", ""},
                                    {"S", "improved stresses"},
                                    {"HS", "hybrid, improved stresses"}};
 
+constexpr Suffix of_wedges[] = {{"T", ""}, {"H", "hybrid"}, {"HT", "hybrid"}, {"R", "reduced integration"}};
+
 struct Solid {
   std::string_view name;
-  Shape shape;
+  fem::CellType type;
   InpReading other;  // formulations
   std::span<const Suffix> suffixes;
+  std::string_view points = {};  // of the plain element, where others are another thing
 };
 
 // A quadratic tetrahedron bends well in any formulation; a hexahedron with reduced integration is another thing.
-constexpr Solid solids[] = {{"C3D4", Shape::tet4, InpReading::noted, of_tetrahedra},
-                            {"C3D10", Shape::tet10, InpReading::noted, of_tetrahedra},
-                            {"C3D8", Shape::hex8, InpReading::on_your_word, of_hexahedra}};
+constexpr Solid solids[] = {
+    {"C3D4", fem::CellType::tet4, InpReading::noted, of_tetrahedra},
+    {"C3D10", fem::CellType::tet10, InpReading::noted, of_tetrahedra},
+    {"C3D8", fem::CellType::hex8, InpReading::on_your_word, of_hexahedra,
+     "2 x 2 x 2 points, much stiffer in bending than one of reduced integration or incompatible modes"},
+    {"C3D20", fem::CellType::hex20, InpReading::on_your_word, of_hexahedra,
+     "3 x 3 x 3 points, stiffer than one of reduced integration"},
+    {"C3D6", fem::CellType::wedge6, InpReading::noted, of_wedges},
+    {"C3D15", fem::CellType::wedge15, InpReading::noted, of_wedges},
+    {"C3D5", fem::CellType::pyramid5, InpReading::noted, of_wedges}};
 
 struct Family {
   std::string_view begin;
@@ -80,15 +91,16 @@ InpType inp_type(const std::string& name) {
   for (const auto& solid : solids) {
     if (!name.starts_with(solid.name)) continue;
     const std::string plain(solid.name), end = name.substr(solid.name.size());
-    if (end.empty()) return {InpReading::same, solid.shape, plain, {}};
+    const auto shape = Shape::of(solid.type);
+    if (end.empty()) return {InpReading::same, shape, plain, {}, solid.points};
     for (const auto& suffix : solid.suffixes)
       if (suffix.name == end)
-        return {suffix.formulation.empty() ? InpReading::same : solid.other, solid.shape, plain,
-                std::string(suffix.formulation)};
+        return {suffix.formulation.empty() ? InpReading::same : solid.other, shape, plain,
+                std::string(suffix.formulation), solid.points};
   }
   for (const auto& type : lower)
-    if (type.name == name) return {InpReading::same, type.shape, name, {}};
-  return {InpReading::none, Shape::point, {}, {}};
+    if (type.name == name) return {InpReading::same, type.shape, name, {}, {}};
+  return {InpReading::none, point, {}, {}, {}};
 }
 
 std::vector<std::string> words_of_type(const std::string& name) {
@@ -109,8 +121,7 @@ void refuse_input(const Deck& deck, const Keyword& keyword) {
 // The user's word that another formulation is read as ritz's own.
 void accept(const Deck& deck, Place place, const std::string& name, const InpType& type, InpModel& model) {
   const auto what = "element type " + name + " (" + type.formulation + ") is not what ritz has: " + type.plain +
-                    ", the displacement element of 2 x 2 x 2 points, much stiffer in bending than one of reduced "
-                    "integration or incompatible modes";
+                    ", the displacement element of " + std::string(type.points);
   const auto& ignored = model.ignored;
   if (std::find(ignored.begin(), ignored.end(), name) == ignored.end())
     deck.fail(place, what + "; '-ignore " + name + "' reads it as " + type.plain +
@@ -136,7 +147,8 @@ std::optional<Shape> shape_of(const Deck& deck, const Keyword& keyword, InpModel
     case InpReading::on_your_word: accept(deck, keyword.place, name, type, model); break;
     case InpReading::none:
       leave_out(deck.sources(), keyword.place, words_of_type(name),
-                "element type " + name + " is not supported; ritz has C3D4, C3D10 and C3D8", model);
+                "element type " + name + " is not supported; ritz has C3D4, C3D10, C3D8, C3D20, C3D6, C3D15 and C3D5",
+                model);
       return std::nullopt;
   }
   model.element_types.emplace_back(static_cast<Index>(model.mesh.shapes.size()), name);
@@ -221,12 +233,13 @@ void read_inp_element(Deck& deck, const Keyword& keyword, InpModel& model) {
   const auto shape = shape_of(deck, keyword, model);
   if (!shape) return;
   std::array<Index, fem::max_cell_vertices> storage;
-  const auto vertices = std::span(storage).first(static_cast<std::size_t>(traits(*shape).vertices));
+  const auto vertices = std::span(storage).first(static_cast<std::size_t>(shape->vertices));
   while (const auto line = deck.next_data()) {
     auto cursor = deck.cursor(*line);
     const Index id = cursor.integer("an element number");
     read_vertices(deck, *line, cursor, id, vertices);
     for (Index& vertex : vertices) vertex = full_number(deck, line->place, vertex, model.scope.nodes);
+    turn_wedge(*shape, vertices);
     if (set) set->positions.push_back(static_cast<Index>(model.mesh.shapes.size()));
     const Index full_id = full_number(deck, line->place, id, model.scope.elements);
     add_cell(model.mesh, *shape, full_id, vertices, line->place);

@@ -270,6 +270,7 @@ struct InpType {
   Shape shape;        ///< except for `none`
   std::string plain;  ///< the type as which it is read: "C3D8"
   std::string formulation;
+  std::string_view points;  ///< for `on_your_word`: the integration points of `plain`, and what difference they make
 };
 
 /// The treatment of an element type, whose `name` is in capitals. Elements of lower dimension only form sets.

@@ -78,14 +78,14 @@ ListedSet& listed_set(Resolver& look, const std::string& name, std::string_view 
 void append(std::vector<Index>& to, const std::vector<Index>& from) { to.insert(to.end(), from.begin(), from.end()); }
 
 void add_surface_cell(const Resolver& look, const InpSurfaceEntry& entry, Index cell, ListedSet& set) {
-  const auto kind = traits(look.model.mesh.shapes[static_cast<std::size_t>(cell)]);
+  const auto kind = look.model.mesh.shapes[static_cast<std::size_t>(cell)];
   const auto& label = entry.label;
   if (kind.dimension == 2 && (label.empty() || label == "SPOS" || label == "SNEG")) {
     set.cells.push_back(cell);
     return;
   }
   const int face = label.size() == 2 && label[0] == 'S' ? label[1] - '1' : -1;
-  if (kind.dimension != 3 || face < 0 || face >= fem::shape(*kind.cell).faces) {
+  if (kind.dimension != 3 || face < 0 || face >= std::ssize(fem::shape(*kind.cell).faces)) {
     fail(look.sources, entry.place, "face label '" + label + "' does not fit the elements it is used for");
   }
   set.faces.push_back({.cell = cell, .face = face});
@@ -125,7 +125,7 @@ FileMaterial material_of(const Resolver& look, const InpSection& section) {
 
 void claim(Resolver& look, const InpSection& section, Index cell) {
   auto& mesh = look.model.mesh;
-  if (traits(mesh.shapes[static_cast<std::size_t>(cell)]).dimension < 3) {
+  if (mesh.shapes[static_cast<std::size_t>(cell)].dimension < 3) {
     const auto& type = element_type(look.model, cell);
     leave_out(look.sources, section.place, {type},
               "*SOLID SECTION gives elements of type " + type +
@@ -163,7 +163,7 @@ void regions_from_sets(Resolver& look) {
     bool any = false;
     for (const Index cell : cells) {
       const auto c = static_cast<std::size_t>(cell);
-      if (mesh.cell_regions[c] >= 0 || traits(mesh.shapes[c]).dimension != 3) continue;
+      if (mesh.cell_regions[c] >= 0 || mesh.shapes[c].dimension != 3) continue;
       mesh.cell_regions[c] = region;
       any = true;
     }

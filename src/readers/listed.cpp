@@ -74,7 +74,7 @@ void number_vertices(const Sources& sources, const IdMap& vertices, ListedMesh& 
   for (std::size_t c = 0; c < mesh.shapes.size(); ++c) {
     const auto begin = mesh.cell_vertices.begin() + mesh.cell_offsets[c];
     const auto end = mesh.cell_vertices.begin() + mesh.cell_offsets[c + 1];
-    const bool solid = traits(mesh.shapes[c]).dimension == 3;
+    const bool solid = mesh.shapes[c].dimension == 3;
     for (auto v = begin; v != end; ++v) {
       const Index position = vertices.find(*v);
       if (position < 0) {
@@ -91,9 +91,11 @@ void number_vertices(const Sources& sources, const IdMap& vertices, ListedMesh& 
 }
 
 void check_solids(const Sources& sources, const ListedMesh& mesh) {
-  const auto solid = [](Shape shape) { return traits(shape).dimension == 3; };
+  const auto solid = [](Shape shape) { return shape.dimension == 3; };
   if (std::none_of(mesh.shapes.begin(), mesh.shapes.end(), solid)) {
-    fail(sources, "the mesh has no solid cells; ritz needs tetrahedra (4 or 10 vertices) or hexahedra (8 vertices)");
+    fail(sources,
+         "the mesh has no solid cells; ritz needs tetrahedra (4 or 10 vertices), hexahedra (8 or 20), wedges (6 or 15) "
+         "or pyramids (5)");
   }
 }
 
@@ -109,7 +111,7 @@ std::string stray_name(const std::vector<Region>& regions) {
 void take_solids(const ListedMesh& from, FileMesh& to) {
   std::vector<std::int32_t> numbers(from.regions.size() + 1, -1);  // the last: cells without a region
   for (std::size_t c = 0; c < from.shapes.size(); ++c) {
-    const auto type = traits(from.shapes[c]).cell;
+    const auto type = from.shapes[c].cell;
     if (!type) continue;
     const auto vertices = from.vertices_of(static_cast<Index>(c));
     to.cell_types.push_back(*type);
@@ -143,6 +145,12 @@ void add_cell(ListedMesh& mesh, Shape shape, Index id, std::span<const Index> ve
   mesh.cell_vertices.insert(mesh.cell_vertices.end(), vertices.begin(), vertices.end());
   mesh.cell_offsets.push_back(static_cast<Index>(mesh.cell_vertices.size()));
   mesh.cell_regions.push_back(-1);
+}
+
+void turn_wedge(Shape shape, std::span<Index> vertices) {
+  if (!shape.cell || fem::shape(*shape.cell).linear != fem::CellType::wedge6) return;
+  std::swap_ranges(vertices.begin(), vertices.begin() + 3, vertices.begin() + 3);
+  if (shape.vertices > 6) std::swap_ranges(vertices.begin() + 6, vertices.begin() + 9, vertices.begin() + 9);
 }
 
 Numbering numbering(const Sources& sources, const ListedMesh& mesh) {

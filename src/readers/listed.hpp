@@ -33,29 +33,23 @@ class IdMap {
   std::optional<Index> duplicate_;
 };
 
-enum class Shape : std::uint8_t { point, line2, line3, tri3, tri6, quad4, tet4, tet10, hex8 };
+/// What a file lists as a cell: a solid cell, or one of lower dimension, which only carries sets.
+struct Shape {
+  std::int8_t dimension;
+  std::int8_t vertices;
+  std::optional<fem::CellType> cell = {};  ///< dimension 3
+  std::optional<fem::FaceType> face = {};  ///< dimension 2
 
-struct ShapeTraits {
-  int dimension;
-  int vertices;
-  std::optional<fem::CellType> cell;  ///< dimension 3
-  std::optional<fem::FaceType> face;  ///< dimension 2
+  static constexpr Shape of(fem::CellType type) {
+    return {3, static_cast<std::int8_t>(fem::shape(type).vertices), type, {}};
+  }
+  static constexpr Shape of(fem::FaceType type) {
+    return {2, static_cast<std::int8_t>(fem::shape(type).vertices), {}, type};
+  }
+  bool operator==(const Shape&) const = default;
 };
 
-constexpr ShapeTraits traits(Shape shape) {
-  switch (shape) {
-    case Shape::point: return {0, 1, {}, {}};
-    case Shape::line2: return {1, 2, {}, {}};
-    case Shape::line3: return {1, 3, {}, {}};
-    case Shape::tri3: return {2, 3, {}, fem::FaceType::tri3};
-    case Shape::tri6: return {2, 6, {}, fem::FaceType::tri6};
-    case Shape::quad4: return {2, 4, {}, fem::FaceType::quad4};
-    case Shape::tet4: return {3, 4, fem::CellType::tet4, {}};
-    case Shape::tet10: return {3, 10, fem::CellType::tet10, {}};
-    case Shape::hex8: return {3, 8, fem::CellType::hex8, {}};
-  }
-  return {};
-}
+inline constexpr Shape point = {0, 1}, line2 = {1, 2}, line3 = {1, 3};
 
 /// Face `face` of a listed solid cell, numbered as in fem/cell.hpp.
 struct ListedFace {
@@ -98,6 +92,9 @@ struct ListedMesh {
 void add_vertex(ListedMesh& mesh, Index id, const std::array<double, 3>& point, Place place);
 /// Adds a cell, whose `vertices` are in the order of fem/cell.hpp.
 void add_cell(ListedMesh& mesh, Shape shape, Index id, std::span<const Index> vertices, Place place);
+
+/// Exchanges the triangles of a wedge, if `shape` is one: from the order of Gmsh and Abaqus to that of fem/cell.hpp.
+void turn_wedge(Shape shape, std::span<Index> vertices);
 
 /// Maps from the file's numbers to positions, for vertices and for cells.
 struct Numbering {

@@ -14,15 +14,10 @@ namespace {
 
 const char* unsupported(Index type) {
   switch (type) {
-    case 6: return "a prism with 6 vertices";
-    case 7: return "a pyramid with 5 vertices";
     case 10: return "a quadrilateral with 9 vertices";
     case 12: return "a hexahedron with 27 vertices";
     case 13: return "a prism with 18 vertices";
     case 14: return "a pyramid with 14 vertices";
-    case 16: return "a quadrilateral with 8 vertices";
-    case 17: return "a hexahedron with 20 vertices";
-    case 18: return "a prism with 15 vertices";
     case 19: return "a pyramid with 13 vertices";
     case 29: return "a tetrahedron with 20 vertices";
     case 30: return "a tetrahedron with 35 vertices";
@@ -32,28 +27,51 @@ const char* unsupported(Index type) {
   }
 }
 
-}  // namespace
+/// Gmsh's order of the edges on which mid-edge vertices lie, where it is not that of fem/cell.hpp.
+constexpr fem::Edge tet_edges[] = {{0, 1}, {1, 2}, {0, 2}, {0, 3}, {2, 3}, {1, 3}};
+constexpr fem::Edge hex_edges[] = {{0, 1}, {0, 3}, {0, 4}, {1, 2}, {1, 5}, {2, 3},
+                                   {2, 6}, {3, 7}, {4, 5}, {4, 7}, {5, 6}, {6, 7}};
+constexpr fem::Edge wedge_edges[] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 4}, {2, 5}, {3, 4}, {3, 5}, {4, 5}};
 
-Shape msh_shape(const MshInput& input, Index type) {
-  switch (type) {
-    case 1: return Shape::line2;
-    case 2: return Shape::tri3;
-    case 3: return Shape::quad4;
-    case 4: return Shape::tet4;
-    case 5: return Shape::hex8;
-    case 8: return Shape::line3;
-    case 9: return Shape::tri6;
-    case 11: return Shape::tet10;
-    case 15: return Shape::point;
-    default:
-      input.fail("Gmsh element type " + std::to_string(type) + " is " + unsupported(type) +
-                 "; mesh with tetrahedra of order 1 or 2 or hexahedra of order 1");
+std::span<const fem::Edge> msh_edges(fem::CellType quadratic) {
+  switch (quadratic) {
+    case fem::CellType::tet10: return tet_edges;
+    case fem::CellType::hex20: return hex_edges;
+    case fem::CellType::wedge15: return wedge_edges;
+    default: return {};
   }
 }
 
+}  // namespace
+
+Shape msh_shape(const MshInput& input, Index type) {
+  if (type == 15) return point;
+  if (type == 1) return line2;
+  if (type == 8) return line3;
+  for (const auto cell : fem::cell_types)
+    if (fem::shape(cell).gmsh == type) return Shape::of(cell);
+  for (const auto face : fem::face_types)
+    if (fem::shape(face).gmsh == type) return Shape::of(face);
+  input.fail("Gmsh element type " + std::to_string(type) + " is " + unsupported(type) +
+             "; mesh with order 1, or with order 2 and Mesh.SecondOrderIncomplete = 1");
+}
+
 void reorder_from_msh(Shape shape, std::span<Index> vertices) {
-  // Gmsh lists the middles of edges 23 and 13 in this order, everybody else 13 and 23.
-  if (shape == Shape::tet10) std::swap(vertices[8], vertices[9]);
+  const auto theirs = shape.cell ? msh_edges(*shape.cell) : std::span<const fem::Edge>();
+  if (theirs.empty()) return turn_wedge(shape, vertices);
+  const auto cell = fem::shape(*shape.cell);
+  const auto ours = cell.edges;
+  const int corners = cell.corners;
+  std::array<Index, fem::max_cell_vertices> middles;
+  for (std::size_t e = 0; e < ours.size(); ++e) {
+    const auto [a, b] = ours[e];
+    const auto at = std::find_if(theirs.begin(), theirs.end(), [&](const fem::Edge& edge) {
+      return edge == fem::Edge{a, b} || edge == fem::Edge{b, a};
+    });
+    middles[e] = vertices[static_cast<std::size_t>(corners + (at - theirs.begin()))];
+  }
+  std::copy_n(middles.begin(), ours.size(), vertices.begin() + corners);
+  turn_wedge(shape, vertices);
 }
 
 void join_physical(Groups& groups, ListedMesh& mesh, Index tag) {

@@ -43,7 +43,7 @@ bool repeats_last(const MshFile& msh, const Element& element) {
   const auto& mesh = msh.mesh;
   if (mesh.shapes.empty() || mesh.shapes.back() != element.shape || mesh.cell_ids.back() == element.id) return false;
   const auto cell = static_cast<Index>(mesh.shapes.size()) - 1;
-  const auto group = msh.groups.cells.find({traits(element.shape).dimension, element.physical});
+  const auto group = msh.groups.cells.find({element.shape.dimension, element.physical});
   if (group != msh.groups.cells.end() && group->second.back() == cell) return false;
   const auto last = mesh.vertices_of(cell);
   return std::equal(last.begin(), last.end(), element.vertices.begin(), element.vertices.end());
@@ -57,7 +57,7 @@ void read_element_body(MshFile& msh, const ElementHeader& header, Index id, Plac
     if (i == 0) physical = std::abs(tag);
   }
   std::array<Index, fem::max_cell_vertices> storage;
-  const auto kind = traits(header.shape);
+  const auto kind = header.shape;
   const auto vertices = std::span(storage).first(static_cast<std::size_t>(kind.vertices));
   for (Index& vertex : vertices) vertex = input.integer("a vertex number");
   input.end_record();

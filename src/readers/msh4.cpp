@@ -102,7 +102,7 @@ Index read_element_block(MshFile& msh) {
   const auto dimension = static_cast<int>(read_dimension(input));
   const Index entity = input.integer("the number of an entity");
   const auto shape = msh_shape(input, input.integer("an element type"));
-  const auto kind = traits(shape);
+  const auto kind = shape;
   if (kind.dimension != dimension) input.fail("this element type is not of its block's dimension");
   const Index count = input.count("elements", 1 + kind.vertices);
   input.end_record();

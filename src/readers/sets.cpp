@@ -19,13 +19,11 @@ FaceCell face_cell(fem::FaceType type, std::span<const Index> vertices) {
 }
 
 FaceCell face_of(const ListedMesh& mesh, const ListedFace& where) {
-  const auto type = *traits(mesh.shapes[static_cast<std::size_t>(where.cell)]).cell;
+  const auto& side = fem::side(*mesh.shapes[static_cast<std::size_t>(where.cell)].cell, where.face);
   const auto cell = mesh.vertices_of(where.cell);
   std::vector<Index> vertices;
-  for (const int local : fem::face_vertices(type, where.face)) {
-    vertices.push_back(cell[static_cast<std::size_t>(local)]);
-  }
-  return face_cell(fem::shape(type).face, vertices);
+  for (const int local : side.vertices()) vertices.push_back(cell[static_cast<std::size_t>(local)]);
+  return face_cell(side.type, vertices);
 }
 
 // A listed cell of dimension 2 as a face; none where its corners span no area. A quadrilateral with two corners in one
@@ -36,7 +34,7 @@ std::optional<FaceCell> spanned_face(fem::FaceType type, std::span<const Index> 
   for (const Index v : corners)
     if (std::find(distinct.begin(), distinct.end(), v) == distinct.end()) distinct.push_back(v);
   if (distinct.size() == corners.size()) return face_cell(type, vertices);
-  if (type != fem::FaceType::quad4 || distinct.size() != 3) return std::nullopt;
+  if (fem::shape(type).corners != 4 || distinct.size() != 3) return std::nullopt;
   return face_cell(fem::FaceType::tri3, distinct);
 }
 
@@ -50,7 +48,7 @@ std::vector<FaceCell> faces_of(const ListedMesh& mesh, const ListedSet& set) {
     if (seen.insert(key).second) faces.push_back(face);
   };
   for (const Index cell : set.cells) {
-    const auto type = traits(mesh.shapes[static_cast<std::size_t>(cell)]).face;
+    const auto type = mesh.shapes[static_cast<std::size_t>(cell)].face;
     if (!type) continue;
     if (const auto face = spanned_face(*type, mesh.vertices_of(cell))) add(*face);
   }

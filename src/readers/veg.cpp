@@ -85,15 +85,15 @@ void read_vertices(VegFile& veg) {
 
 Shape read_shape(VegFile& veg) {
   const auto line = need_line(veg, "TET or CUBIC");
-  if (line.text.starts_with("TET")) return Shape::tet4;
-  if (line.text.starts_with("CUBIC")) return Shape::hex8;
+  if (line.text.starts_with("TET")) return Shape::of(fem::CellType::tet4);
+  if (line.text.starts_with("CUBIC")) return Shape::of(fem::CellType::hex8);
   veg.lines.fail(line.place, "expected TET or CUBIC, found '" + std::string(line.text.substr(0, 24)) + "'");
 }
 
 void read_elements(VegFile& veg) {
   if (!veg.mesh.shapes.empty()) veg.lines.fail(veg.last, "*ELEMENTS stands twice in the file");
   const auto shape = read_shape(veg);
-  const Index size = traits(shape).vertices;
+  const Index size = shape.vertices;
   const Index count = read_count(veg, "elements", size);
   for (Index i = 0; i < count; ++i) {
     const auto line = need_line(veg, "element " + std::to_string(i + 1) + " of " + std::to_string(count));

@@ -43,40 +43,43 @@ Index times(const VtuFile& vtu, const pugi::xml_node& node, Index count, Index e
 
 [[noreturn]] void refuse_type(const VtuFile& vtu, const pugi::xml_node& node, const std::string& what) {
   vtu.fail(node, what +
-                     " is not supported; ritz has tetrahedra (10, 24) and hexahedra (11, 12), Lagrange cells (71, 72) "
-                     "of as many vertices, and lines, triangles and quadrilaterals that only carry sets");
+                     " is not supported; ritz has tetrahedra (10, 24), hexahedra (11, 12, 25), wedges (13, 26) and "
+                     "pyramids (14), Lagrange cells (71 to 74) of as many vertices, and lines, triangles and "
+                     "quadrilaterals that only carry sets");
 }
 
-// VTK's Lagrange cells (68 to 73) have any order; the first two are those that ritz has, in the same order of vertices.
+// VTK's Lagrange cells (68 to 74) have any order; those of them that ritz has list their vertices in the same order.
 std::optional<Shape> lagrange_shape(Index type, Index vertices) {
-  if (type == 68 && vertices == 2) return Shape::line2;
-  if (type == 68 && vertices == 3) return Shape::line3;
-  if (type == 69 && vertices == 3) return Shape::tri3;
-  if (type == 69 && vertices == 6) return Shape::tri6;
-  if (type == 70 && vertices == 4) return Shape::quad4;
-  if (type == 71 && vertices == 4) return Shape::tet4;
-  if (type == 71 && vertices == 10) return Shape::tet10;
-  if (type == 72 && vertices == 8) return Shape::hex8;
-  return std::nullopt;
+  const auto of = [&](auto... types) {
+    std::optional<Shape> shape;
+    ((fem::shape(types).vertices == vertices ? void(shape = Shape::of(types)) : void()), ...);
+    return shape;
+  };
+  switch (type) {
+    case 68: return vertices == 2 ? std::optional(line2) : vertices == 3 ? std::optional(line3) : std::nullopt;
+    case 69: return of(fem::FaceType::tri3, fem::FaceType::tri6);
+    case 70: return of(fem::FaceType::quad4);
+    case 71: return of(fem::CellType::tet4, fem::CellType::tet10);
+    case 72: return of(fem::CellType::hex8);
+    case 73: return of(fem::CellType::wedge6);
+    case 74: return of(fem::CellType::pyramid5);
+    default: return std::nullopt;
+  }
 }
 
 Shape shape_of(const VtuFile& vtu, const pugi::xml_node& node, Index type, Index vertices) {
   switch (type) {
-    case 1: return Shape::point;
-    case 3: return Shape::line2;
-    case 5: return Shape::tri3;
-    case 8:
-    case 9: return Shape::quad4;
-    case 10: return Shape::tet4;
-    case 11:
-    case 12: return Shape::hex8;
-    case 21: return Shape::line3;
-    case 22: return Shape::tri6;
-    case 24: return Shape::tet10;
+    case 1: return point;
+    case 3: return line2;
+    case 8: return Shape::of(fem::FaceType::quad4);  // a pixel
+    case 11: return Shape::of(fem::CellType::hex8);  // a voxel
+    case 21: return line3;
     default: break;
   }
+  if (const auto cell = fem::cell_of_vtk(static_cast<int>(type))) return Shape::of(*cell);
+  if (const auto face = fem::face_of_vtk(static_cast<int>(type))) return Shape::of(*face);
   const auto shape = lagrange_shape(type, vertices);
-  if (!shape && type >= 68 && type <= 73)
+  if (!shape && type >= 68 && type <= 74)
     refuse_type(
         vtu, node,
         "a Lagrange cell (VTK type " + std::to_string(type) + ") with " + std::to_string(vertices) + " vertices");
@@ -88,6 +91,21 @@ Shape shape_of(const VtuFile& vtu, const pugi::xml_node& node, Index type, Index
 void reorder_from_vtk(Index type, std::span<Index> vertices) {
   if (type == 8 || type == 11) std::swap(vertices[2], vertices[3]);
   if (type == 11) std::swap(vertices[6], vertices[7]);
+}
+
+// By VTK's documentation the first triangle of a wedge is counter-clockwise seen from outside; many programs write it
+// as Gmsh and Abaqus do, the other way round. The cell is taken so that its volume is positive.
+void orient_wedge(const ListedMesh& mesh, Shape shape, std::span<Index> ids) {
+  const auto at = [&](std::size_t a, std::size_t i) { return mesh.points[static_cast<std::size_t>(ids[a])][i]; };
+  std::array<std::array<double, 3>, 3> r;
+  for (std::size_t a = 0; a < 3; ++a)
+    for (std::size_t i = 0; i < 3; ++i) r[a][i] = at(a + 1, i) - at(0, i);
+  double volume = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    volume += r[0][i] * (r[1][j] * r[2][k] - r[1][k] * r[2][j]);
+  }
+  if (volume > 0) turn_wedge(shape, ids);
 }
 
 void read_points(const VtuFile& vtu, const pugi::xml_node& piece, const PieceSize& size, VtuMesh& to) {
@@ -132,7 +150,7 @@ void read_cells(const VtuFile& vtu, const pugi::xml_node& piece, const PieceSize
     const auto id = static_cast<Index>(to.mesh.shapes.size());
     const bool ascending = offsets[c] >= begin && offsets[c] <= offsets.back();
     const auto shape = shape_of(vtu, type_array, types[c], ascending ? offsets[c] - begin : 0);
-    if (!ascending || offsets[c] - begin != traits(shape).vertices) {
+    if (!ascending || offsets[c] - begin != shape.vertices) {
       vtu.fail(offset_array, "cell " + std::to_string(id) + " does not have the vertices its type needs");
     }
     std::array<Index, fem::max_cell_vertices> ids;
@@ -145,7 +163,10 @@ void read_cells(const VtuFile& vtu, const pugi::xml_node& piece, const PieceSize
       ids[static_cast<std::size_t>(i - begin)] = first_point + vertex;
     }
     reorder_from_vtk(types[c], ids);
-    add_cell(to.mesh, shape, id, std::span(ids).first(static_cast<std::size_t>(offsets[c] - begin)), place);
+    const auto own = std::span(ids).first(static_cast<std::size_t>(offsets[c] - begin));
+    if (shape == Shape::of(fem::CellType::wedge6) || shape == Shape::of(fem::CellType::wedge15))
+      orient_wedge(to.mesh, shape, own);
+    add_cell(to.mesh, shape, id, own, place);
     if (!regions.empty()) join_group(to.groups, to.mesh, regions[c]);
     begin = offsets[c];
   }

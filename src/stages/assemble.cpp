@@ -27,14 +27,13 @@ void end_row(algebra::Rows& rows) {
     part->starts.push_back(static_cast<PetscInt>(part->columns.size()));
 }
 
-template <class E>
-void add_cell(Sums& sums, const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Cell<E>& cell) {
-  const auto K = fem::stiffness<E>(cell.x, cell.material.at_rest());
-  const auto M = fem::mass<E>(cell.x, cell.material.density);
-  for (int a = 0; a < E::vertices; ++a) {
+void add_cell(Sums& sums, const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Cell& cell) {
+  const auto K = fem::stiffness(cell.type, cell.x, cell.material.at_rest());
+  const auto M = fem::mass(cell.type, cell.x, cell.material.density);
+  for (int a = 0; a < cell.count(); ++a) {
     const int row = cell.vertex(a);
     if (row >= mesh.owned) continue;
-    for (int b = 0; b < E::vertices; ++b) {
+    for (int b = 0; b < cell.count(); ++b) {
       const int column = cell.vertex(b);
       const auto place = sums.stiffness.pattern.graph.place(mesh.global, row, column);
       add_block(sums.stiffness.rows, sums.stiffness.pattern, mesh, dofs, place, row, column,
@@ -97,7 +96,7 @@ void refuse_extremes(const Matrices& matrices) {
 Problem assemble(mesh::Mesh mesh, mesh::Dofs dofs, fem::Materials materials) {
   Sums sums{empty_rows(mesh, dofs), {}};
   sums.mass.assign(sums.stiffness.pattern.graph.columns.size(), 0);
-  each_cell(mesh, materials, [&]<class E>(const Cell<E>& cell) { add_cell(sums, mesh, dofs, cell); });
+  each_cell(mesh, materials, [&](const Cell& cell) { add_cell(sums, mesh, dofs, cell); });
   const auto positive = algebra::Definite::positive;
   Matrices matrices;
   matrices.stiffness =

@@ -1,6 +1,7 @@
 #include "ritz/stages/derivative_loads.hpp"
 
-#include "ritz/fem/strain.hpp"
+#include "ritz/base/simd.hpp"
+#include "ritz/fem/integration_points.hpp"
 #include "ritz/stages/each_cell.hpp"
 
 namespace ritz::stages {
@@ -57,10 +58,7 @@ inline __attribute__((always_inline)) void add_third_order(const fem::ElasticCon
 }
 
 /// Adds row i's pairs to `to`, 3 rows a vertex of the cell, `width` apart.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-__attribute__((target_clones("arch=x86-64-v3", "default")))
-#endif
-void add_row(const Inner& in, int i, double* to, int stride) {
+RITZ_WIDE void add_row(const Inner& in, int i, double* to, int stride) {
   const int start = first_lane(i);
   const double lambda = in.elastic.lambda, mu = in.elastic.mu;
   const bool third_order = in.elastic.has_third_order();
@@ -126,13 +124,12 @@ struct Rows {
   int start(int i) const { return starts[static_cast<std::size_t>(i - first)]; }
 };
 
-template <class E>
-void gradients_of(const fem::Matrix<E::vertices, 3>& shape, const Modal& u, double lambda, double mu, Point& point) {
+void gradients_of(const fem::GradientsRef& shape, const Modal& u, double lambda, double mu, Point& point) {
   for (int c = 0; c < 3; ++c)
     for (int d = 0; d < 3; ++d) {
       auto row = point.G.row(3 * c + d);
       row = shape(0, d) * u.row(c);
-      for (int a = 1; a < E::vertices; ++a) row += shape(a, d) * u.row(3 * a + c);
+      for (int a = 1; a < shape.rows(); ++a) row += shape(a, d) * u.row(3 * a + c);
     }
   const auto& G = point.G;
   const Eigen::RowVectorXd trace = lambda * (G.row(0) + G.row(4) + G.row(8));
@@ -143,20 +140,20 @@ void gradients_of(const fem::Matrix<E::vertices, 3>& shape, const Modal& u, doub
 }
 
 /// The sums of one cell for all rows: 3 rows a vertex.
-template <class E>
-void cell_sums(const Cell<E>& cell, mesh::LocalRef local, const Rows& rows, Modal& u, Point& point, Modal& sums) {
-  for (int a = 0; a < E::vertices; ++a)
+void cell_sums(const Cell& cell, mesh::LocalRef local, const Rows& rows, Modal& u, Point& point, Modal& sums) {
+  const int vertices = cell.count();
+  for (int a = 0; a < vertices; ++a)
     mesh::at_vertex(u.leftCols(rows.modes), a) = mesh::at_vertex(local, cell.vertex(a));
   // Differences from the first vertex: a cell that moves far as a whole is not strained.
-  for (int a = E::vertices - 1; a >= 0; --a) mesh::at_vertex(u, a) -= mesh::at_vertex(u, 0);
-  const fem::Coordinates<E> x = fem::relative<E>(cell.x);
+  for (int a = vertices - 1; a >= 0; --a) mesh::at_vertex(u, a) -= mesh::at_vertex(u, 0);
+  const fem::IntegrationPoints points(cell.type, cell.x);
   const auto elastic = cell.material.at_rest();
-  sums.topRows(mesh::components * E::vertices).setZero();
-  for (const auto& sample : E::rule) {
-    const auto [shape, weight] = fem::physical_gradients<E>(x, sample);
-    gradients_of<E>(shape, u, elastic.lambda, elastic.mu, point);
-    const Eigen::Matrix<double, E::vertices, 3, Eigen::RowMajor> weighted = -weight * shape;
-    const Inner inner{E::vertices,    weighted.data(), elastic, static_cast<int>(point.G.cols()),
+  sums.topRows(mesh::components * vertices).setZero();
+  for (int q = 0; q < points.count(); ++q) {
+    const auto shape = points.gradients(q);
+    gradients_of(shape, u, elastic.lambda, elastic.mu, point);
+    const fem::CellVectors weighted = -points.weight(q) * shape.transpose();
+    const Inner inner{vertices,       weighted.data(), elastic, static_cast<int>(point.G.cols()),
                       point.G.data(), point.S.data()};
     for (int i = rows.first; i < rows.last; ++i)
       add_row(inner, i, sums.data() + rows.start(i), static_cast<int>(sums.cols()));
@@ -198,9 +195,9 @@ mesh::FreeRows derivative_loads(const Problem& problem, mesh::LocalRef local, in
   Modal u = Modal::Zero(mesh::components * fem::max_cell_vertices, width),
         of_cell(3 * fem::max_cell_vertices, rows.columns);
   Point point{Modal(9, width), Modal(6, width)};
-  each_cell(mesh, problem.materials, [&]<class E>(const Cell<E>& cell) {
+  each_cell(mesh, problem.materials, [&](const Cell& cell) {
     cell_sums(cell, local, rows, u, point, of_cell);
-    for (int a = 0; a < E::vertices; ++a)
+    for (int a = 0; a < cell.count(); ++a)
       if (const int v = cell.vertex(a); v < mesh.owned) mesh::at_vertex(sums, v) += mesh::at_vertex(of_cell, a);
   });
   return columns_of_pairs(mesh, problem.dofs, rows, sums);

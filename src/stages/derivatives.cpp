@@ -16,18 +16,17 @@ namespace {
 
 using Eigen::Index;
 
-template <class E>
-double smallest_ratio(const fem::Coordinates<E>& x) {
-  const fem::MassMatrix<E> M = fem::mass<E>(x, 1);
-  const fem::Vector<E::vertices> root = M.diagonal().cwiseSqrt().cwiseInverse();
+double smallest_ratio(const Cell& cell) {
+  const fem::VertexMatrix M = fem::mass(cell.type, cell.x, 1);
+  const Eigen::VectorXd root = M.diagonal().cwiseSqrt().cwiseInverse();
   return algebra::symmetric_eigenvalues(root.asDiagonal() * M * root.asDiagonal())[0];
 }
 
 /// m: M ≥ m D. A straight linear tetrahedron has ½ whatever its shape.
 double mass_ratio(const Problem& problem) {
   double least = 0.5;
-  each_owned_cell(problem.mesh, problem.materials, [&]<class E>(const Cell<E>& cell) {
-    if constexpr (E::type != fem::CellType::tet4) least = std::min(least, smallest_ratio<E>(cell.x));
+  each_owned_cell(problem.mesh, problem.materials, [&](const Cell& cell) {
+    if (cell.type != fem::CellType::tet4) least = std::min(least, smallest_ratio(cell));
   });
   return parallel::min(problem.mesh.comm, least);
 }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "ritz/fem/geometry.hpp"
+#include "ritz/fem/integration_points.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/stages/each_cell.hpp"
 #include "ritz/stages/internal_force.hpp"
@@ -21,17 +22,18 @@ mesh::LocalRows local_vertices(const FullModel& model, mesh::FreeRef u) {
 }
 
 /// ε Σ_q w (λ + 2μ) (1 + ‖∇u‖)² ‖u‖ ‖∇N‖ ‖∇N_a‖ onto each vertex a of a cell that this rank owns.
-template <class E>
-void add_rounding(const mesh::Mesh& mesh, const Cell<E>& cell, const mesh::LocalRows& local, Eigen::VectorXd& sums) {
-  const fem::Coordinates<E> x = fem::relative<E>(cell.x), u = cell.gather(local, 0);
+void add_rounding(const mesh::Mesh& mesh, const Cell& cell, const mesh::LocalRows& local, Eigen::VectorXd& sums) {
+  const fem::IntegrationPoints points(cell.type, cell.x);
+  const fem::CellVectors u = cell.gather(local, 0), from_first = fem::relative(u);
   const double largest = u.cwiseAbs().maxCoeff();
   const auto elastic = cell.material.at_rest();
-  for (const auto& sample : E::rule) {
-    const auto [gradients, weight] = fem::physical_gradients<E>(x, sample);
-    const double stretch = 1 + (fem::relative<E>(u) * gradients).norm();
+  for (int q = 0; q < points.count(); ++q) {
+    const auto gradients = points.gradients(q);
+    const double stretch = 1 + fem::Matrix<3, 3>(from_first.lazyProduct(gradients)).norm();
     const double stress = epsilon * (elastic.lambda + 2 * elastic.mu) * stretch * stretch * largest * gradients.norm();
-    for (int a = 0; a < E::vertices; ++a)
-      if (const int v = cell.vertex(a); v < mesh.owned) sums[v] += std::abs(weight) * stress * gradients.row(a).norm();
+    for (int a = 0; a < cell.count(); ++a)
+      if (const int v = cell.vertex(a); v < mesh.owned)
+        sums[v] += std::abs(points.weight(q)) * stress * gradients.row(a).norm();
   }
 }
 
@@ -55,16 +57,15 @@ double force_rounding(const FullModel& model, mesh::FreeRef u) {
   const mesh::Mesh& mesh = model.problem.mesh;
   const mesh::LocalRows local = local_vertices(model, u);
   Eigen::VectorXd sums = Eigen::VectorXd::Zero(mesh.owned);
-  each_cell(mesh, model.problem.materials,
-            [&]<class E>(const Cell<E>& cell) { add_rounding(mesh, cell, local, sums); });
+  each_cell(mesh, model.problem.materials, [&](const Cell& cell) { add_rounding(mesh, cell, local, sums); });
   return std::sqrt(parallel::sum(mesh.comm, sums.squaredNorm()));
 }
 
 std::int64_t inverted_cells(const FullModel& model, mesh::FreeRef u) {
   const mesh::LocalRows local = local_vertices(model, u);
   std::int64_t inverted = 0;
-  each_owned_cell(model.problem.mesh, model.problem.materials, [&]<class E>(const Cell<E>& cell) {
-    inverted += fem::turned_inside_out<E>(cell.x, cell.gather(local, 0));
+  each_owned_cell(model.problem.mesh, model.problem.materials, [&](const Cell& cell) {
+    inverted += fem::turned_inside_out(cell.type, cell.x, cell.gather(local, 0));
   });
   return parallel::sum(model.problem.mesh.comm, inverted);
 }

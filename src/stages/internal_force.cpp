@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "ritz/fem/response.hpp"
-#include "ritz/fem/strain.hpp"
 #include "ritz/mesh/dofs.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/stages/each_cell.hpp"
@@ -12,13 +11,12 @@
 namespace ritz::stages {
 namespace {
 
-template <class E>
-void add_force(const mesh::Mesh& mesh, const Cell<E>& cell, const mesh::LocalRows& local, InternalForces& sums) {
-  const auto points = fem::integration_points<E>(cell.x);
+void add_force(const mesh::Mesh& mesh, const Cell& cell, const mesh::LocalRows& local, InternalForces& sums) {
+  const fem::IntegrationPoints points(cell.type, cell.x);
   for (Eigen::Index j = 0; j < local.cols(); ++j) {
-    const auto [energy, force] = fem::energy_and_force<E>(points, cell.gather(local, j), cell.material);
+    const auto [energy, force] = fem::energy_and_force(points, cell.gather(local, j), cell.material);
     if (cell.owned) sums.energies[j] += energy;
-    for (int a = 0; a < E::vertices; ++a)
+    for (int a = 0; a < cell.count(); ++a)
       if (const int v = cell.vertex(a); v < mesh.owned) mesh::at_vertex(sums.forces.col(j), v) += force.col(a);
   }
 }
@@ -31,16 +29,15 @@ struct Target {
   const mesh::Dofs& dofs;
 };
 
-template <class E>
-void add_tangent(const Target& to, const Cell<E>& cell, const Eigen::VectorXd& weights, const mesh::LocalRows& local) {
-  const auto points = fem::integration_points<E>(cell.x);
-  fem::TangentSum<E> sum;
-  for (Eigen::Index j = 0; j < weights.size(); ++j) sum.add(points, cell.gather(local, j), cell.material, weights[j]);
+void add_tangent(const Target& to, const Cell& cell, const Eigen::VectorXd& weights, const mesh::LocalRows& local) {
+  const fem::IntegrationPoints points(cell.type, cell.x);
+  fem::TangentSum sum(points);
+  for (Eigen::Index j = 0; j < weights.size(); ++j) sum.add(cell.gather(local, j), cell.material, weights[j]);
   const auto K = sum.matrix();
-  for (int a = 0; a < E::vertices; ++a) {
+  for (int a = 0; a < cell.count(); ++a) {
     const int row = cell.vertex(a);
     if (row >= to.mesh.owned) continue;
-    for (int b = 0; b < E::vertices; ++b) {
+    for (int b = 0; b < cell.count(); ++b) {
       const int column = cell.vertex(b);
       const auto place = to.pattern.graph.place(to.mesh.global, row, column);
       add_block(to.rows, to.pattern, to.mesh, to.dofs, place, row, column, mesh::at_vertices(K, a, b));
@@ -49,17 +46,16 @@ void add_tangent(const Target& to, const Cell<E>& cell, const Eigen::VectorXd& w
 }
 
 /// Adds ∫ ε : C : ε of one cell for each column of `local` (3 rows a local vertex).
-template <class E>
-void add_strain_energy(const Cell<E>& cell, const mesh::LocalRows& local, Eigen::VectorXd& sums) {
-  const fem::Coordinates<E> x = fem::relative<E>(cell.x);
+void add_strain_energy(const Cell& cell, const mesh::LocalRows& local, Eigen::VectorXd& sums) {
+  const fem::IntegrationPoints points(cell.type, cell.x);
   const auto elastic = cell.material.at_rest();
   const double lambda = elastic.lambda, mu = elastic.mu;
-  for (const auto& sample : E::rule) {
-    const auto [gradients, weight] = fem::physical_gradients<E>(x, sample);
-    for (Eigen::Index j = 0; j < local.cols(); ++j) {
-      const Eigen::Matrix3d G = fem::relative<E>(cell.gather(local, j)) * gradients;
+  for (Eigen::Index j = 0; j < local.cols(); ++j) {
+    const fem::CellVectors u = fem::relative(cell.gather(local, j));
+    for (int q = 0; q < points.count(); ++q) {
+      const Eigen::Matrix3d G = u.lazyProduct(points.gradients(q));
       const Eigen::Matrix3d strain = (G + G.transpose()) / 2;
-      sums[j] += weight * (lambda * strain.trace() * strain.trace() + 2 * mu * strain.squaredNorm());
+      sums[j] += points.weight(q) * (lambda * strain.trace() * strain.trace() + 2 * mu * strain.squaredNorm());
     }
   }
 }
@@ -70,7 +66,7 @@ InternalForces internal_forces(const Problem& problem, mesh::VertexRef u) {
   const mesh::Mesh& mesh = problem.mesh;
   const mesh::LocalRows local = mesh::with_ghosts(mesh, u, mesh::components);
   InternalForces sums{Eigen::VectorXd::Zero(u.cols()), mesh::VertexRows::Zero(u.rows(), u.cols())};
-  each_cell(mesh, problem.materials, [&]<class E>(const Cell<E>& cell) { add_force(mesh, cell, local, sums); });
+  each_cell(mesh, problem.materials, [&](const Cell& cell) { add_force(mesh, cell, local, sums); });
   parallel::sum_in_place(mesh.comm, sums.energies);
   return sums;
 }
@@ -87,7 +83,7 @@ void fill_tangent(Tangent& tangent, const Problem& problem, const Eigen::VectorX
   algebra::Rows& rows = algebra::storage(tangent.matrix);
   for (algebra::Csr* part : {&rows.own, &rows.other}) std::fill(part->values.begin(), part->values.end(), 0.0);
   const Target to{tangent.pattern, rows, mesh, problem.dofs};
-  each_cell(mesh, problem.materials, [&]<class E>(const Cell<E>& cell) { add_tangent(to, cell, weights, local); });
+  each_cell(mesh, problem.materials, [&](const Cell& cell) { add_tangent(to, cell, weights, local); });
   algebra::renewed(tangent.matrix);
 }
 
@@ -95,7 +91,7 @@ Eigen::VectorXd strain_energies(const Problem& problem, mesh::VertexRef u) {
   const mesh::Mesh& mesh = problem.mesh;
   const mesh::LocalRows local = mesh::with_ghosts(mesh, u, mesh::components);
   Eigen::VectorXd sums = Eigen::VectorXd::Zero(u.cols());
-  each_owned_cell(mesh, problem.materials, [&]<class E>(const Cell<E>& cell) { add_strain_energy(cell, local, sums); });
+  each_owned_cell(mesh, problem.materials, [&](const Cell& cell) { add_strain_energy(cell, local, sums); });
   parallel::sum_in_place(mesh.comm, sums);
   return sums;
 }

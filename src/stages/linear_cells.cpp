@@ -6,6 +6,7 @@
 
 #include "ritz/base/shown.hpp"
 #include "ritz/fem/geometry.hpp"
+#include "ritz/fem/integration_points.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/stages/each_cell.hpp"
 
@@ -25,15 +26,14 @@ double twice_energy(const fem::ElasticConstants& m, const Strain& e) {
   return m.lambda * trace * trace + 2 * m.mu * (e.head<3>().squaredNorm() + 2 * e.tail<3>().squaredNorm());
 }
 
-template <class E>
-Strain strain(const fem::Coordinates<E>& u, const fem::Matrix<E::vertices, 3>& gradients) {
-  const fem::Matrix<3, 3> G = fem::relative<E>(u) * gradients;
+Strain strain(const fem::CellVectors& u, const fem::GradientsRef& gradients) {
+  const fem::Matrix<3, 3> G = fem::relative(u).lazyProduct(gradients);
   Strain e;
   e << G(0, 0), G(1, 1), G(2, 2), (G(0, 1) + G(1, 0)) / 2, (G(1, 2) + G(2, 1)) / 2, (G(2, 0) + G(0, 2)) / 2;
   return e;
 }
 
-constexpr bool is_linear(fem::CellType type) { return type != fem::CellType::tet10; }
+constexpr bool is_linear(fem::CellType type) { return !fem::shape(type).quadratic(); }
 
 const fem::Material& material_of(const mesh::Mesh& mesh, const fem::Materials& materials, int cell) {
   return materials[static_cast<std::size_t>(mesh.cells.regions[static_cast<std::size_t>(cell)])];
@@ -53,30 +53,20 @@ struct Strains {
 };
 
 /// Adds volume times strain of one cell, as it is at each of its vertices.
-template <class E>
-void add_strains(const mesh::Mesh& mesh, const Cell<E>& cell, const mesh::LocalRows& local,
+void add_strains(const mesh::Mesh& mesh, const Cell& cell, const mesh::LocalRows& local,
                  Strains<mesh::VertexRows>& sums, Eigen::VectorXd& volumes) {
-  const fem::Coordinates<E> x = fem::relative<E>(cell.x);
-  const double volume = fem::volume<E>(x);
-  for (int a = 0; a < E::vertices; ++a) {
+  const double volume = fem::volume(cell.type, cell.x);
+  const fem::IntegrationPoints at_vertices(fem::element(cell.type).at_vertices, cell.x);
+  for (int a = 0; a < cell.count(); ++a) {
     const int v = cell.vertex(a);
     if (v >= mesh.owned) continue;
     volumes[v] += volume;
-    const auto gradients = fem::physical_gradients<E>(x, {E::reference[static_cast<std::size_t>(a)], 1}).gradients;
     for (Index j = 0; j < local.cols(); ++j) {
-      const Strain e = volume * strain<E>(cell.gather(local, j), gradients);
+      const Strain e = volume * strain(cell.gather(local, j), at_vertices.gradients(a));
       mesh::at_vertex(sums.normal.col(j), v) += e.head<3>();
       mesh::at_vertex(sums.shear.col(j), v) += e.tail<3>();
     }
   }
-}
-
-/// Calls kernel(Cell<E>) for a Tet4 or a Hex8.
-template <class Kernel>
-void visit_linear(const mesh::Mesh& mesh, const fem::Materials& materials, int cell, Kernel&& kernel) {
-  visit_cell(mesh, materials, cell, [&]<class E>(const Cell<E>& view) {
-    if constexpr (is_linear(E::type)) kernel(view);
-  });
 }
 
 using Recovered = Strains<mesh::LocalRows>;
@@ -87,9 +77,7 @@ Recovered recover(const mesh::Mesh& mesh, const fem::Materials& materials, const
   Eigen::VectorXd volumes = Eigen::VectorXd::Zero(mesh.owned);
   const algebra::Tall zeros = algebra::Tall::Zero(mesh::components * mesh.owned, local.cols());
   Strains<mesh::VertexRows> sums{zeros, zeros};
-  for (const int c : cells)
-    visit_linear(mesh, materials, c,
-                 [&]<class E>(const Cell<E>& cell) { add_strains(mesh, cell, local, sums, volumes); });
+  for (const int c : cells) add_strains(mesh, cell_of(mesh, materials, c), local, sums, volumes);
   for (int v = 0; v < mesh.owned; ++v) {
     if (volumes[v] <= 0) continue;
     mesh::at_vertex(sums.normal, v) /= volumes[v];
@@ -101,28 +89,26 @@ Recovered recover(const mesh::Mesh& mesh, const fem::Materials& materials, const
 /// By mode: twice the energies of ε* − ε, of what varies of ε* within cells, and of its means over cells.
 using ModeSums = Eigen::Array3Xd;
 
-template <class E>
-void add_errors(const Cell<E>& cell, const mesh::LocalRows& local, const Recovered& recovered, ModeSums& sums) {
-  constexpr bool tetrahedron = E::type == fem::CellType::tet4;
-  constexpr auto& rule = []() -> auto& {
-    if constexpr (tetrahedron) return E::mass_rule;  // its one point of stiffness sees nothing of ε* − ε
-    else return E::rule;
-  }
-  ();
-  const fem::Coordinates<E> x = fem::relative<E>(cell.x);
+void add_errors(const Cell& cell, const mesh::LocalRows& local, const Recovered& recovered, ModeSums& sums) {
+  const bool tetrahedron = cell.type == fem::CellType::tet4;
+  // The few points of stiffness of other cells than hexahedra see nothing of ε* − ε.
+  const auto& element = fem::element(cell.type);
+  const auto& rule = cell.type == fem::CellType::hex8 ? element.rule : element.mass_rule;
+  const fem::IntegrationPoints points(rule, cell.x);
   const auto elastic = cell.material.at_rest();
   for (Index j = 0; j < local.cols(); ++j) {
-    const fem::Coordinates<E> u = cell.gather(local, j);
-    fem::Matrix<6, E::vertices> corners;
-    for (int a = 0; a < E::vertices; ++a) corners.col(a) = recovered.at(cell.vertex(a), j);
+    const fem::CellVectors u = cell.gather(local, j);
+    fem::UpTo<6, fem::max_cell_vertices> corners(6, cell.count());
+    for (int a = 0; a < cell.count(); ++a) corners.col(a) = recovered.at(cell.vertex(a), j);
     const Strain mean = corners.rowwise().mean();
     double volume = 0, varying = 0;
-    for (const auto& point : rule) {
-      const auto [gradients, weight] = fem::physical_gradients<E>(x, point);
-      const Strain smooth = corners * E::shape(point.xi);
+    for (int q = 0; q < points.count(); ++q) {
+      const Eigen::Map<const Eigen::VectorXd> N(rule.values.data() + cell.count() * q, cell.count());
+      const double weight = points.weight(q);
+      const Strain smooth = corners.lazyProduct(N);
       volume += weight;
       varying += weight * twice_energy(elastic, smooth - mean);
-      sums(0, j) += weight * twice_energy(elastic, smooth - strain<E>(u, gradients));
+      sums(0, j) += weight * twice_energy(elastic, smooth - strain(u, points.gradients(q)));
     }
     // A mean over a vertex's tetrahedra has lost as much of a strain that changes sign as makes this a fifth.
     sums(1, j) += (tetrahedron ? 5 : 1) * varying;
@@ -130,16 +116,16 @@ void add_errors(const Cell<E>& cell, const mesh::LocalRows& local, const Recover
   }
 }
 
+/// The names of the linear cells in the mesh, "tet4, hex8".
 std::string names_of(const mesh::Mesh& mesh) {
-  std::int32_t tet4 = 0, hex8 = 0;
-  for (int c = 0; c < mesh.cells.owned; ++c) {
-    const auto type = mesh.cells.types[static_cast<std::size_t>(c)];
-    tet4 |= type == fem::CellType::tet4;
-    hex8 |= type == fem::CellType::hex8;
+  std::string names;
+  for (const auto type : fem::cell_types) {
+    const auto first = mesh.cells.types.begin(), last = first + mesh.cells.owned;
+    const bool here = is_linear(type) && std::find(first, last, type) != last;
+    if (parallel::max(mesh.comm, static_cast<std::int32_t>(here)) != 0)
+      names += (names.empty() ? "" : ", ") + std::string(fem::shape(type).name);
   }
-  tet4 = parallel::max(mesh.comm, tet4);
-  hex8 = parallel::max(mesh.comm, hex8);
-  return tet4 && hex8 ? "tet4, hex8" : tet4 ? "tet4" : hex8 ? "hex8" : "";
+  return names;
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -169,9 +155,7 @@ std::vector<LinearCellsError> linear_cells_errors(const Problem& problem, const 
     const Recovered recovered = recover(mesh, materials, alike, local);
     ModeSums of_alike = ModeSums::Zero(3, u.cols());
     for (const int c : alike)
-      if (c < mesh.cells.owned)
-        visit_linear(mesh, materials, c,
-                     [&]<class E>(const Cell<E>& cell) { add_errors(cell, local, recovered, of_alike); });
+      if (c < mesh.cells.owned) add_errors(cell_of(mesh, materials, c), local, recovered, of_alike);
     sums += of_alike.matrix();
   }
   parallel::sum_in_place(mesh.comm, sums);
@@ -203,7 +187,7 @@ std::vector<std::string> linear_cells_warning(const Problem& problem, const Mode
   return {std::string(numbers.size() == 1 ? "mode " : "modes ") + joined(numbers) + " come" +
           (numbers.size() == 1 ? "s" : "") + " out too high, by an estimated " + joined(sizes) +
           " of the frequency: linear cells (" + names +
-          ") are too stiff where a body bends or twists; use quadratic ones (tet10), or many more cells"};
+          ") are too stiff where a body bends or twists; use quadratic ones (tet10, hex20), or many more cells"};
 }
 
 }  // namespace ritz::stages

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "ritz/algebra/dense.hpp"
-#include "ritz/fem/strain.hpp"
+#include "ritz/fem/integration_points.hpp"
 #include "ritz/mesh/dofs.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/stages/each_cell.hpp"
@@ -102,18 +102,17 @@ class Panel {
   Index used_ = 0;
 };
 
-template <class E>
-void add_cell(const Cell<E>& cell, const fem::StVK& law, const RowMajor& local, RowMajor& G, Panel& panel) {
-  const fem::Coordinates<E> x = fem::relative<E>(cell.x);
-  for (const auto& sample : E::rule) {
-    const auto [shape, weight] = fem::physical_gradients<E>(x, sample);
+void add_cell(const Cell& cell, const fem::StVK& law, const RowMajor& local, RowMajor& G, Panel& panel) {
+  const fem::IntegrationPoints points(cell.type, cell.x);
+  for (int q = 0; q < points.count(); ++q) {
+    const auto shape = points.gradients(q);
     G.setZero();
-    for (int a = 1; a < E::vertices; ++a)
+    for (int a = 1; a < cell.count(); ++a)
       for (int c = 0; c < 3; ++c)
         for (int d = 0; d < 3; ++d)
           G.row(3 * c + d) += shape(a, d) * (local.row(mesh::components * cell.vertex(a) + c) -
                                              local.row(mesh::components * cell.vertex(0) + c));
-    panel.add(G, Metric(law, weight));
+    panel.add(G, Metric(law, points.weight(q)));
   }
 }
 
@@ -161,7 +160,7 @@ model::Polynomial reduce_polynomial(const Problem& problem, const PolynomialLaws
   const Index r = u.cols();
   Panel panel(r);
   RowMajor G(9, r);
-  each_owned_cell(mesh, problem.materials, [&]<class E>(const Cell<E>& cell) {
+  each_owned_cell(mesh, problem.materials, [&](const Cell& cell) {
     add_cell(cell, laws[static_cast<std::size_t>(cell.region)], local, G, panel);
   });
   panel.flush();

@@ -1,15 +1,15 @@
 #include "inside_out.hpp"
 
-#include "ritz/fem/dispatch.hpp"
+#include <span>
+
 #include "ritz/fem/geometry.hpp"
 
 namespace ritz::tools {
 namespace {
 
-template <class E>
-fem::Coordinates<E> gathered(const model::Points& rows, const std::int64_t* vertices) {
-  fem::Coordinates<E> x;
-  for (int a = 0; a < E::vertices; ++a) x.col(a) = rows.row(vertices[a]);
+fem::CellVectors gathered(const model::Points& rows, std::span<const std::int64_t> vertices) {
+  fem::CellVectors x(3, static_cast<int>(vertices.size()));
+  for (int a = 0; a < x.cols(); ++a) x.col(a) = rows.row(vertices[static_cast<std::size_t>(a)]);
   return x;
 }
 
@@ -18,14 +18,14 @@ fem::Coordinates<E> gathered(const model::Points& rows, const std::int64_t* vert
 std::int64_t inside_out(const model::Geometry& geometry, const model::Points& displacement) {
   const auto& cells = geometry.cells;
   std::int64_t count = 0;
-  for (std::size_t c = 0; c < cells.vtk_types.size(); ++c)
-    for (const auto type : {fem::CellType::tet4, fem::CellType::tet10, fem::CellType::hex8}) {
-      if (fem::shape(type).vtk != cells.vtk_types[c]) continue;
-      const auto* vertices = cells.vertices.data() + cells.offsets[c];
-      count += fem::visit(type, [&]<class E>(E) {
-        return fem::turned_inside_out<E>(gathered<E>(geometry.points, vertices), gathered<E>(displacement, vertices));
-      });
-    }
+  for (std::size_t c = 0; c < cells.vtk_types.size(); ++c) {
+    const auto type = fem::cell_of_vtk(cells.vtk_types[c]);
+    if (!type) continue;
+    const auto vertices =
+        std::span(cells.vertices)
+            .subspan(static_cast<std::size_t>(cells.offsets[c]), static_cast<std::size_t>(fem::shape(*type).vertices));
+    count += fem::turned_inside_out(*type, gathered(geometry.points, vertices), gathered(displacement, vertices));
+  }
   return count;
 }
 

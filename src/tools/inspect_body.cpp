@@ -33,15 +33,9 @@ std::string certificate_text(const model::Certificate& c) {
 }  // namespace
 
 std::string cell_name(std::uint8_t vtk) {
-  switch (vtk) {
-    case 5: return "tri3";
-    case 9: return "quad4";
-    case 10: return "tet4";
-    case 12: return "hex8";
-    case 22: return "tri6";
-    case 24: return "tet10";
-    default: return "VTK type " + std::to_string(vtk);
-  }
+  if (const auto cell = fem::cell_of_vtk(vtk)) return std::string(fem::shape(*cell).name);
+  if (const auto face = fem::face_of_vtk(vtk)) return std::string(fem::shape(*face).name);
+  return "VTK type " + std::to_string(vtk);
 }
 
 void describe_geometry(const model::Geometry& g, std::ostream& out) {

@@ -39,18 +39,13 @@ std::vector<std::vector<std::int64_t>> boundary(const model::DrawnCells& cells) 
   for (std::size_t c = 0; c + 1 < cells.offsets.size(); ++c) {
     const auto* first = cells.vertices.data() + cells.offsets[c];
     const int vtk = cells.vtk_types[c];
-    if (vtk == 5 || vtk == 22) add({first, first + 3});
-    if (vtk == 9) add({first, first + 4});
-    for (const auto type : {fem::CellType::tet4, fem::CellType::tet10, fem::CellType::hex8}) {
-      const auto shape = fem::shape(type);
-      if (vtk != shape.vtk) continue;
-      for (int f = 0; f < shape.faces; ++f) {
+    if (const auto face = fem::face_of_vtk(vtk)) add({first, first + fem::shape(*face).corners});
+    if (const auto type = fem::cell_of_vtk(vtk))
+      for (const auto& side : fem::shape(*type).faces) {
         std::vector<std::int64_t> face;
-        for (int i = 0; i < fem::shape(shape.face).corners; ++i)
-          face.push_back(first[fem::face_vertices(type, f)[static_cast<std::size_t>(i)]]);
+        for (const int corner : side.corners()) face.push_back(first[corner]);
         add(face);
       }
-    }
   }
   std::vector<std::vector<std::int64_t>> once;
   for (const auto& [key, face] : faces)

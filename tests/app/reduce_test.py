@@ -140,7 +140,7 @@ class Files(InAFolder):
         first = self.eigenvalues()
         self.reduce(*BOX)
         self.assertNotEqual(self.eigenvalues(), first)
-        self.assertEqual(self.files(), {"model.h5", "model.vtkhdf", "frequencies.csv"})
+        self.assertEqual(self.files(), {"model.h5", "model.hdf", "frequencies.csv"})
 
 
 class Voice(InAFolder):

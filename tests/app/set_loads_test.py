@@ -12,8 +12,13 @@ FACES = {  # by VTK's type of cell: each face's corners, and where the vertices 
     10: [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]],
     24: [[0, 2, 1, 6, 5, 4], [0, 1, 3, 4, 8, 7], [1, 2, 3, 5, 9, 8], [0, 3, 2, 7, 9, 6]],
     12: [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]],
+    25: [[0, 3, 2, 1, 11, 10, 9, 8], [4, 5, 6, 7, 12, 13, 14, 15], [0, 1, 5, 4, 8, 17, 12, 16],
+         [1, 2, 6, 5, 9, 18, 13, 17], [2, 3, 7, 6, 10, 19, 14, 18], [3, 0, 4, 7, 11, 16, 15, 19]],
+    26: [[0, 1, 2, 6, 7, 8], [3, 5, 4, 11, 10, 9], [0, 3, 4, 1, 12, 9, 13, 6], [1, 4, 5, 2, 13, 10, 14, 7],
+         [2, 5, 3, 0, 14, 11, 12, 8]],
 }
-SHARES = {3: np.full(3, 1 / 3), 4: np.full(4, 1 / 4), 6: np.array([0, 0, 0, 1, 1, 1]) / 3}  # of a flat face's area
+SHARES = {3: np.full(3, 1 / 3), 4: np.full(4, 1 / 4), 6: np.array([0, 0, 0, 1, 1, 1]) / 3,
+          8: np.array([-1, -1, -1, -1, 4, 4, 4, 4]) / 12}  # of a flat face's area
 
 
 def boundary_faces(geometry):
@@ -35,8 +40,8 @@ def side_weights(geometry, side):
     for face in boundary_faces(geometry):
         if not inside[face].all():
             continue
-        corners = points[face[:4 if len(face) == 4 else 3]]
-        area = np.linalg.norm(np.cross(corners[1] - corners[0], corners[2] - corners[0])) * (1 if len(face) == 4 else .5)
+        a, b, c = points[face[:3]]
+        area = np.linalg.norm(np.cross(b - a, c - a)) * (1 if len(face) in (4, 8) else .5)
         weights[face] += area * SHARES[len(face)]
     return weights, inside
 
@@ -50,7 +55,7 @@ class SetLoads(InAFolder):
         return body, np.stack([columns[name][:] for name in sorted(columns)])  # r x n x 3
 
     def test_projections(self):
-        for kind in ("tet4", "tet10", "hex8"):
+        for kind in ("tet4", "tet10", "hex8", "hex20", "wedge15"):
             body, u = self.model(kind, "-fix", "xmin")
             scale = np.abs(u).max()
             for side in SIDES:
@@ -86,10 +91,10 @@ class SetLoads(InAFolder):
             from vtkmodules.vtkIOHDF import vtkHDFReader
         except ImportError:
             self.skipTest("no VTK")
-        for kind, vtk_type in (("tet4", 10), ("tet10", 24), ("hex8", 12)):
+        for kind, vtk_type in (("tet4", 10), ("tet10", 24), ("hex8", 12), ("hex20", 25), ("wedge6", 13), ("wedge15", 26)):
             body, u = self.model(kind, "-fix", "xmin")
             reader = vtkHDFReader()
-            reader.SetFileName(str(self.folder / "model.vtkhdf"))
+            reader.SetFileName(str(self.folder / "model.hdf"))
             reader.Update()
             grid = reader.GetOutput()
             self.assertEqual(grid.GetNumberOfPoints(), u.shape[1])

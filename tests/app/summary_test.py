@@ -219,7 +219,7 @@ class Nothing(Summary):
         before = self.files()
         for name, says in (("a/s.json", "there is no folder a"), ("folder", "is a folder"), ("/dev/null", "a device"),
                            ("model.h5", "writes besides"), ("frequencies.csv", "writes besides"),
-                           ("model.vtkhdf", "would take the place of")):
+                           ("model.hdf", "would take the place of")):
             with self.subTest(name=name):
                 self.refused(self.reduce(*HELD, "-summary", name, code=2), name, says)
                 self.assertEqual(self.files(), before)

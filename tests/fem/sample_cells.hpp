@@ -5,85 +5,90 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "ritz/base/random.hpp"
-#include "ritz/fem/dispatch.hpp"
-#include "ritz/fem/strain.hpp"
+#include "ritz/fem/element.hpp"
+#include "ritz/fem/integration_points.hpp"
+#include "ritz/fem/quadrature.hpp"
 
 namespace ritz::fem::testing {
 
-template <int m, int n>
-Matrix<m, n> random_matrix(std::uint64_t stream) {
-  Matrix<m, n> A;
-  for (int k = 0; k < m * n; ++k) A(k) = uniform(stream, static_cast<std::uint64_t>(k));
+inline Eigen::MatrixXd random_numbers(Eigen::Index rows, Eigen::Index columns, std::uint64_t stream) {
+  Eigen::MatrixXd A(rows, columns);
+  for (Eigen::Index k = 0; k < A.size(); ++k) A(k) = uniform(stream, static_cast<std::uint64_t>(k));
   return A;
 }
 
-/// The matrix as one of no fixed size: what a test does with it is compiled once for all cells.
 template <int m, int n>
-Eigen::MatrixXd any_size(const Matrix<m, n>& A) {
-  return Eigen::Map<const Eigen::MatrixXd>(A.data(), m, n);
+Matrix<m, n> random_matrix(std::uint64_t stream) {
+  return random_numbers(m, n, stream);
 }
 
-/// And back: the coordinates of the vertices of an E.
-template <class E>
-Coordinates<E> coordinates(const Eigen::MatrixXd& x) {
-  Coordinates<E> fixed;
-  std::copy_n(x.data(), fixed.size(), fixed.data());
-  return fixed;
+inline CellVectors random_vectors(CellType type, std::uint64_t stream) {
+  return random_numbers(3, shape(type).vertices, stream);
 }
 
-template <class E>
-Coordinates<E> reference_cell() {
-  Coordinates<E> x;
-  for (int a = 0; a < E::vertices; ++a) x.col(a) = Vector<3>(E::reference[a].data());
+inline CellVectors reference_cell(CellType type) {
+  CellVectors x(3, shape(type).vertices);
+  for (int a = 0; a < x.cols(); ++a) x.col(a) = Vector<3>(element(type).reference[static_cast<std::size_t>(a)].data());
   return x;
 }
 
-/// Each vertex moved a little on its own, then all by one affine map: edges curved (Tet10), faces warped (Hex8).
-inline Eigen::MatrixXd curved(const Eigen::MatrixXd& x, const Eigen::MatrixXd& random, std::uint64_t seed) {
+/// Each vertex moved a little on its own, then all by one affine map: edges curved, faces warped.
+inline CellVectors curved_cell(CellType type, std::uint64_t seed) {
   const Matrix<3, 3> A = 2 * Matrix<3, 3>::Identity() + 0.5 * random_matrix<3, 3>(3 * seed);
-  const Eigen::MatrixXd moved = x + 0.06 * random;
+  const double size = shape(type).vertices > 10 ? .03 : .06;  // edges of many vertices fold sooner
+  const Eigen::MatrixXd moved = reference_cell(type) + size * random_vectors(type, 3 * seed + 1);
   return (A * moved).colwise() + random_matrix<3, 1>(3 * seed + 2);
 }
 
-template <class E>
-Coordinates<E> curved_cell(std::uint64_t seed) {
-  return coordinates<E>(
-      curved(any_size(reference_cell<E>()), any_size(random_matrix<3, E::vertices>(3 * seed + 1)), seed));
-}
-
 /// The cell moved by a linear map.
-template <class E>
-Coordinates<E> mapped(const Matrix<3, 3>& A, const Coordinates<E>& x) {
-  return coordinates<E>(A * any_size(x));
-}
-
-inline Coordinates<Tet10> straightened(Coordinates<Tet10> x) {
-  for (int e = 0; e < 6; ++e) x.col(4 + e) = (x.col(Tet10::edges[e][0]) + x.col(Tet10::edges[e][1])) / 2;
-  return x;
-}
+inline CellVectors mapped(const Matrix<3, 3>& A, const CellVectors& x) { return A * Eigen::MatrixXd(x); }
 
 /// As curved_cell, with mid-edge vertices in the middle of straight edges.
-template <class E>
-Coordinates<E> straight_cell(std::uint64_t seed) {
-  if constexpr (E::type == CellType::tet10) return straightened(curved_cell<E>(seed));
-  return curved_cell<E>(seed);
+inline CellVectors straight_cell(CellType type, std::uint64_t seed) {
+  CellVectors x = curved_cell(type, seed);
+  const auto cell = shape(type);
+  for (int e = 0; cell.quadratic() && e < std::ssize(cell.edges); ++e) {
+    const auto [i, j] = cell.edges[static_cast<std::size_t>(e)];
+    x.col(cell.corners + e) = (x.col(i) + x.col(j)) / 2;
+  }
+  return x;
 }
 
 inline Matrix<3, 3> rotation() { return Eigen::AngleAxisd(1.1, Vector<3>(1, -2, .7).normalized()).toRotationMatrix(); }
 
 /// Coordinates that stay exact when 2^20 is added.
-template <class E>
-Coordinates<E> rounded(Coordinates<E> x) {
-  for (int k = 0; k < x.size(); ++k) x(k) = std::round(x(k) * 0x1p20) * 0x1p-20;
+template <class Vectors>
+Vectors rounded(Vectors x) {
+  for (Eigen::Index k = 0; k < x.size(); ++k) x(k) = std::round(x(k) * 0x1p20) * 0x1p-20;
   return x;
 }
 
-template <class E>
-Coordinates<E> far_away(Coordinates<E> x) {
-  for (int k = 0; k < x.size(); ++k) x(k) += 0x1p20;
+template <class Vectors>
+Vectors far_away(Vectors x) {
+  for (Eigen::Index k = 0; k < x.size(); ++k) x(k) += 0x1p20;
   return x;
+}
+
+inline Eigen::VectorXd shape_functions(CellType type, const Point<3>& xi) {
+  Eigen::VectorXd N(shape(type).vertices);
+  element(type).shape(xi, N.data());
+  return N;
+}
+
+/// dN_a/dξ, one row for each vertex.
+inline Eigen::MatrixXd reference_gradients(CellType type, const Point<3>& xi) {
+  Eigen::MatrixXd g(shape(type).vertices, 3);
+  element(type).gradient(xi, g.data());
+  return g;
+}
+
+/// det J of the cell at `xi`.
+inline double jacobian(CellType type, const CellVectors& x, const Point<3>& xi) {
+  const Matrix<3, 3> J = Eigen::MatrixXd(x) * reference_gradients(type, xi);
+  return J.determinant();
 }
 
 /// Gauss-Legendre on [0, 1] by Newton's method, n points; independent of the rules under test.
@@ -103,21 +108,34 @@ Rule<1, n> legendre() {
   return rule;
 }
 
-/// Σ w f(xi) over E's reference cell by 10 x 10 x 10 points, f returning any Eigen value.
-template <class E, class F>
-auto integrate_finely(const F& f) {
+/// A point of the unit cube in the reference domain of a cell, and how the map stretches volumes there.
+inline Sample<3> from_unit_cube(CellType linear, double a, double b, double c) {
+  const double s = 1 - c, t = s * (1 - b);
+  switch (linear) {
+    case CellType::tet4: return {{a * t, b * s, c}, s * t};
+    case CellType::wedge6: return {{a * (1 - b), b, 2 * c - 1}, 2 * (1 - b)};
+    case CellType::pyramid5: return {{(2 * a - 1) * s, (2 * b - 1) * s, c}, 4 * s * s};
+    default: return {{2 * a - 1, 2 * b - 1, 2 * c - 1}, 8};
+  }
+}
+
+/// Σ w f(xi) over the reference cell by 10 x 10 x 10 points, f returning any Eigen value.
+template <class F>
+auto integrate_finely(CellType type, const F& f) {
   static const auto line = legendre<10>();
   decltype(f(Point<3>{})) sum = 0 * f(Point<3>{});
   for (const auto& [c, wc] : line)
     for (const auto& [b, wb] : line)
       for (const auto& [a, wa] : line) {
-        const double w = wa * wb * wc, s = 1 - c[0], t = s * (1 - b[0]);
-        if constexpr (E::type == CellType::hex8) sum += 8 * w * f({2 * a[0] - 1, 2 * b[0] - 1, 2 * c[0] - 1});
-        else sum += w * s * t * f({a[0] * t, b[0] * s, c[0]});
+        const auto [xi, stretch] = from_unit_cube(shape(type).linear, a[0], b[0], c[0]);
+        sum += wa * wb * wc * stretch * f(xi);
       }
   return sum;
 }
 
-using Elements = ::testing::Types<Tet4, Tet10, Hex8>;
+inline auto every_cell() { return ::testing::ValuesIn(cell_types); }
+inline std::string cell_name(const ::testing::TestParamInfo<CellType>& info) {
+  return std::string(shape(info.param).name);
+}
 
 }  // namespace ritz::fem::testing

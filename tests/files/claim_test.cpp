@@ -100,8 +100,8 @@ TEST(Claim, RefusesReportsInThePlaceOfOtherFilesAndLetsThemChange) {
 TEST(Claim, LeavesLinksToWhatTheyLeadTo) {
   const Folder folder;
   test::save(folder / "a.h5", "");
-  std::filesystem::create_symlink("a.h5", folder / "a.vtkhdf");
-  const auto output = named(folder / "a.h5"), link = named(folder / "a.vtkhdf");
+  std::filesystem::create_symlink("a.h5", folder / "a.hdf");
+  const auto output = named(folder / "a.h5"), link = named(folder / "a.hdf");
   EXPECT_NO_THROW(Claim({.outputs = {output}, .links = {link}}));
   EXPECT_THROW(Claim({.outputs = {output, link}, .links = {link}}), InputError);
   EXPECT_THROW(Claim({.outputs = {output}, .links = {link}, .inputs = {link}}), InputError);

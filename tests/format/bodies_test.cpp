@@ -98,9 +98,9 @@ TEST(Bodies, AreShownToParaViewEachByAFileOfItsOwn) {
     EXPECT_GE(H5Dread(points.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, x.data()), 0) << view;
     return x(0, 0);
   };
-  EXPECT_EQ(first_x("model.vtkhdf"), 0);
-  EXPECT_EQ(first_x("model.body.vtkhdf"), 0);
-  EXPECT_EQ(first_x("model.arm%2Fupper.vtkhdf"), 5);
+  EXPECT_EQ(first_x("model.hdf"), 0);
+  EXPECT_EQ(first_x("model.body.hdf"), 0);
+  EXPECT_EQ(first_x("model.arm%2Fupper.hdf"), 5);
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ with tempfile.TemporaryDirectory() as folder:
     for size in (1060, 1200, 2000, 3900, *range(3912, 3940, 4), 6000):
         lines, errors = fill(size, 200000, reference)
         if lines[0] == "exit 1":
-            assert lines[1:] == ["model.h5", "model.vtkhdf"], (size, lines, errors)
+            assert lines[1:] == ["model.h5", "model.hdf"], (size, lines, errors)
             assert errors.count("\n") == 1 and ("the disk is full" in errors or "is the disk full" in errors), (size, errors)
         else:
             assert lines[0] == "exit 0" and size > 3906 and "differ" in lines[3], (size, lines, errors)

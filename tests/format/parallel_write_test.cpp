@@ -42,7 +42,7 @@ class ParallelWrite : public testing::TestWithParam<H5FD_mpio_xfer_t> {
     if (rank() != 0) return;
     for (auto path : {together_, alone_}) {
       std::filesystem::remove(path);
-      for (const auto* view : {".vtkhdf", ".body.vtkhdf", ".arm.vtkhdf"})
+      for (const auto* view : {".hdf", ".body.hdf", ".arm.hdf"})
         std::filesystem::remove(path.replace_extension().concat(view));
     }
   }

@@ -15,7 +15,7 @@ with tempfile.TemporaryDirectory() as folder:
     path = os.path.join(folder, "model.h5")
     programs.run(BIN / "write_sample_model", path)
     reader = vtkHDFReader()
-    reader.SetFileName(os.path.join(folder, "model.vtkhdf"))
+    reader.SetFileName(os.path.join(folder, "model.hdf"))
     reader.Update()
     grid = reader.GetOutput()
     assert grid.GetNumberOfPoints() == 4 and grid.GetNumberOfCells() == 1 and grid.GetCellType(0) == 10
@@ -29,7 +29,7 @@ with tempfile.TemporaryDirectory() as folder:
     programs.run(BIN / "write_sample_model", path, "two-bodies")
     for name, x in ("model", 0), ("model.body", 0), ("model.arm%2Fupper", 5):
         reader = vtkHDFReader()
-        reader.SetFileName(os.path.join(folder, name + ".vtkhdf"))
+        reader.SetFileName(os.path.join(folder, name + ".hdf"))
         reader.Update()
         grid = reader.GetOutput()
         assert grid.GetNumberOfPoints() == 4 and grid.GetPoint(0) == (x, 0, 0), name

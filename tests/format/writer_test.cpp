@@ -29,15 +29,15 @@ TEST(Writer, LeavesNothingUncommitted) {
 TEST(Writer, LinksForParaView) {
   const Folder folder;
   for (int twice = 0; twice < 2; ++twice) write(folder / "model.h5", test::sample_model());
-  EXPECT_EQ(std::filesystem::read_symlink(folder / "model.vtkhdf"), "model.h5");
+  EXPECT_EQ(std::filesystem::read_symlink(folder / "model.hdf"), "model.h5");
   EXPECT_EQ(folder.files(), 2u);
 }
 
 TEST(Writer, NeverReplacesARealFileByTheLink) {
   const Folder folder;
-  test::save(folder / "model.vtkhdf", test::Bytes(3));
+  test::save(folder / "model.hdf", test::Bytes(3));
   write(folder / "model.h5", test::sample_model());
-  EXPECT_EQ(test::load(folder / "model.vtkhdf").size(), 3u);
+  EXPECT_EQ(test::load(folder / "model.hdf").size(), 3u);
 }
 
 TEST(Writer, WritesThroughNoLink) {

@@ -10,6 +10,8 @@
 
 #include "mesh/mesh_fixture.hpp"
 #include "ritz/base/error.hpp"
+#include "ritz/fem/face.hpp"
+#include "ritz/fem/geometry.hpp"
 #include "ritz/mesh/quality.hpp"
 #include "ritz/parallel/comm.hpp"
 
@@ -125,6 +127,53 @@ TEST_P(BoxOf, HasAClosedSurface) {
   EXPECT_EQ(parallel::sum(world, std::ssize(mesh.boundary)), GetParam().faces * sides);
   for (const auto face : mesh.boundary) EXPECT_LT(face.cell, mesh.cells.owned);
   EXPECT_EQ(std::set<CellFace>(mesh.boundary.begin(), mesh.boundary.end()).size(), mesh.boundary.size());
+}
+
+class EveryBox : public ::testing::TestWithParam<fem::CellType> {
+ protected:
+  fem::CellType type = GetParam();
+  Mesh mesh = box_mesh("box:5,1.5,2/5,3,2/" + std::string(fem::shape(type).name));
+};
+
+INSTANTIATE_TEST_SUITE_P(, EveryBox,
+                         ::testing::Values(fem::CellType::tet4, fem::CellType::tet10, fem::CellType::hex8,
+                                           fem::CellType::hex20, fem::CellType::wedge6, fem::CellType::wedge15),
+                         [](const auto& info) { return std::string(fem::shape(info.param).name); });
+
+TEST_P(EveryBox, IsDistributedSoundly) { expect_sound(mesh); }
+
+TEST_P(EveryBox, NumbersVerticesXFastestWithoutGaps) {
+  const Mesh whole = box_mesh("box:5,1.5,2/5,3,2/" + std::string(fem::shape(type).name), MPI_COMM_SELF);
+  EXPECT_EQ(whole.owned, whole.vertices_total);
+  EXPECT_EQ(whole.vertices_total, mesh.vertices_total);
+  for (int v = 0; v < whole.owned; ++v) {
+    EXPECT_EQ(whole.file_positions[static_cast<std::size_t>(v)], v);
+    if (v == 0) continue;
+    const Eigen::Vector3d a = whole.points.col(v - 1).reverse(), b = whole.points.col(v).reverse();
+    EXPECT_TRUE(std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end())) << v;
+  }
+  EXPECT_EQ(mesh.checksum, whole.checksum);
+}
+
+TEST_P(EveryBox, IsFilledByStraightRightHandedCells) {
+  EXPECT_NO_THROW(refuse_inverted_cells(mesh));
+  double volume = 0;
+  for (int c = 0; c < mesh.cells.owned; ++c) {
+    EXPECT_TRUE(fem::straight(type, mesh.corners(c)));
+    volume += fem::volume(type, mesh.corners(c));
+  }
+  EXPECT_NEAR(parallel::sum(world, volume), lengths.prod(), 1e-13);
+}
+
+TEST_P(EveryBox, HasSidesOfTheirAreas) {
+  const std::array<const char*, 6> names = {"xmin", "xmax", "ymin", "ymax", "zmin", "zmax"};
+  for (std::size_t side = 0; side < 6; ++side) {
+    double area = 0;
+    for (const auto face : mesh.find(names[side])->faces)
+      area += fem::area(fem::side(type, face.face).type, mesh.points(Eigen::all, face_vertices(mesh, face)));
+    const auto across = static_cast<Eigen::Index>(side / 2);
+    EXPECT_NEAR(parallel::sum(world, area), lengths.prod() / lengths[across], 1e-13) << names[side];
+  }
 }
 
 TEST_P(BoxOf, HasTheSameChecksumOnAnyNumberOfRanks) {

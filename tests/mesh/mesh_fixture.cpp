@@ -97,8 +97,9 @@ FileMesh file_of_box(const std::string& text) {
     NamedSet set{shared.set_names[s], part.sets[s].vertices, {}};
     for (const auto& [cell, face] : part.sets[s].faces) {
       const auto type = part.types[static_cast<std::size_t>(cell)];
-      FaceCell listed{fem::shape(type).face, {}};
-      const auto local = fem::face_vertices(type, face);
+      const auto& side = fem::side(type, face);
+      FaceCell listed{side.type, {}};
+      const auto local = side.vertices();
       for (std::size_t v = 0; v < local.size(); ++v)
         listed.vertices[v] =
             mesh.cell_vertices[static_cast<std::size_t>(mesh.cell_offsets[static_cast<std::size_t>(cell)] + local[v])];

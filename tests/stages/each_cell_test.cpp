@@ -57,12 +57,12 @@ TEST(EachCell, ComesInTheFilesOrderAndOwnsEachCellOnce) {
   const auto mesh = test::box("box:3,1,1/6,2,2/tet4");
   mesh::Index last = -1;
   std::int64_t owned = 0;
-  each_cell(mesh, materials, [&]<class E>(const Cell<E>& cell) {
+  each_cell(mesh, materials, [&](const Cell& cell) {
     const auto position = mesh.cells.numbers[static_cast<std::size_t>(cell.number)];
     EXPECT_GT(position, last);
     last = position;
     owned += cell.owned;
-    EXPECT_EQ(cell.x, fem::Coordinates<E>(mesh.corners(cell.number)));
+    EXPECT_EQ(cell.x, fem::CellVectors(mesh.corners(cell.number)));
   });
   EXPECT_EQ(parallel::sum(mesh.comm, owned), mesh.cells_total);
   owned = 0;
@@ -72,14 +72,14 @@ TEST(EachCell, ComesInTheFilesOrderAndOwnsEachCellOnce) {
 
 TEST(EachCell, AllocatesNothing) {
   if (!test::counts_allocations()) GTEST_SKIP() << "nothing is counted under this sanitizer";
-  for (const char* kind : {"tet4", "tet10", "hex8"}) {
+  for (const char* kind : {"tet4", "tet10", "hex8", "hex20", "wedge6", "wedge15"}) {
     const auto mesh = test::box(std::string("box:3,1,1/6,2,2/") + kind);
     const mesh::LocalRows local = algebra::Tall::Random(3 * mesh.local_vertices(), 1);
     double energy = 0;
     const auto before = allocations();
-    each_cell(mesh, materials, [&]<class E>(const Cell<E>& cell) {
-      energy +=
-          fem::energy_and_force<E>(fem::integration_points<E>(cell.x), cell.gather(local, 0), cell.material).energy;
+    each_cell(mesh, materials, [&](const Cell& cell) {
+      const fem::IntegrationPoints points(cell.type, cell.x);
+      energy += fem::energy_and_force(points, cell.gather(local, 0), cell.material).energy;
     });
     EXPECT_EQ(allocations(), before) << kind;
     EXPECT_TRUE(std::isfinite(energy));

@@ -64,7 +64,7 @@ TEST_P(Cells, HaveTheirOrdersOfAccuracy) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(FullDynamics, Cells, testing::Values("tet4", "tet10", "hex8"),
+INSTANTIATE_TEST_SUITE_P(FullDynamics, Cells, testing::Values("tet4", "tet10", "hex8", "hex20", "wedge6", "wedge15"),
                          [](const auto& info) { return std::string(info.param); });
 
 // With load and damping the balance holds as well: E − E₀ = W − Q.

@@ -61,7 +61,7 @@ TEST_P(Uniaxial, StrainOfAnotherLawHasNoLimitPoint) {
   EXPECT_NEAR(run.mean(u, "xmax").x(), 2 * -.6, 1e-8);
 }
 
-INSTANTIATE_TEST_SUITE_P(Cells, Uniaxial, testing::Values("tet4", "tet10", "hex8"),
+INSTANTIATE_TEST_SUITE_P(Cells, Uniaxial, testing::Values("tet4", "tet10", "hex8", "hex20", "wedge6", "wedge15"),
                          [](const auto& info) { return std::string(info.param); });
 
 TEST(FullStatics, RefusesABodyThatIsNotHeld) {

@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "ritz/fem/tet10.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "support/problem.hpp"
 
@@ -28,10 +27,12 @@ class Patch : public testing::TestWithParam<const char*> {
                .04 * Eigen::Vector3d(std::sin(17 * x.y() + 5 * x.z()), std::sin(13 * x.x()), std::cos(11 * x.sum()));
       };
       for (std::size_t a = 0; a < vertices.size(); ++a) mesh.points.col(vertices[a]) = moved(static_cast<int>(a));
-      if (mesh.cells.types[static_cast<std::size_t>(c)] != fem::CellType::tet10) continue;
-      for (int e = 0; e < 6; ++e)
-        mesh.points.col(vertices[static_cast<std::size_t>(4 + e)]) =
-            (moved(fem::Tet10::edges[e][0]) + moved(fem::Tet10::edges[e][1])) / 2;
+      const auto cell = fem::shape(mesh.cells.types[static_cast<std::size_t>(c)]);
+      if (!cell.quadratic()) continue;
+      for (int e = 0; e < std::ssize(cell.edges); ++e) {
+        const auto [a, b] = cell.edges[static_cast<std::size_t>(e)];
+        mesh.points.col(vertices[static_cast<std::size_t>(cell.corners + e)]) = (moved(a) + moved(b)) / 2;
+      }
     }
   }
 
@@ -63,7 +64,7 @@ TEST_P(Patch, InnerVerticesFeelNoForce) {
   EXPECT_GT(parallel::max(mesh.comm, largest), 1e-3 * E);
 }
 
-INSTANTIATE_TEST_SUITE_P(Cells, Patch, testing::Values("tet4", "tet10", "hex8"),
+INSTANTIATE_TEST_SUITE_P(Cells, Patch, testing::Values("tet4", "tet10", "hex8", "hex20", "wedge6", "wedge15"),
                          [](const auto& info) { return std::string(info.param); });
 
 }  // namespace

@@ -57,7 +57,7 @@ TEST_P(RigidModes, OfPartlySupportedMechanisms) {
   EXPECT_EQ(rigid_modes({{0, 0, 0}, {1, 1, 1}}, GetParam(), {clamp}), 3);
 }
 
-INSTANTIATE_TEST_SUITE_P(, RigidModes, testing::Values(fem::CellType::tet4, fem::CellType::tet10, fem::CellType::hex8),
+INSTANTIATE_TEST_SUITE_P(, RigidModes, testing::ValuesIn(fem::cell_types),
                          [](const auto& info) { return std::string(fem::shape(info.param).name); });
 
 }  // namespace

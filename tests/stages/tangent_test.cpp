@@ -60,7 +60,7 @@ TEST_P(Tangent, AddsUpItsColumns) {
   EXPECT_LE((f.at(two) - sum).norm(), 1e-14 * sum.norm());
 }
 
-INSTANTIATE_TEST_SUITE_P(Cells, Tangent, testing::Values("tet4", "tet10", "hex8"),
+INSTANTIATE_TEST_SUITE_P(Cells, Tangent, testing::Values("tet4", "tet10", "hex8", "hex20", "wedge6", "wedge15"),
                          [](const auto& info) { return std::string(info.param); });
 
 }  // namespace

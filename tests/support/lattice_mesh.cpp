@@ -25,17 +25,43 @@ std::vector<std::vector<Fine>> tetrahedra(const std::vector<Fine>& hexahedron) {
   std::vector<std::vector<Fine>> tets;
   const Fine centre = middle(hexahedron[0], hexahedron[6]);
   const auto at = [&](int v) { return hexahedron[static_cast<std::size_t>(v)]; };
-  for (int f = 0; f < fem::shape(fem::CellType::hex8).faces; ++f) {
-    const auto face = fem::face_vertices(fem::CellType::hex8, f);
+  for (const auto& side : fem::shape(fem::CellType::hex8).faces) {
+    const auto face = side.corners();
     for (std::size_t e = 0; e < 4; ++e)
       tets.push_back({at(face[(e + 1) % 4]), at(face[e]), middle(at(face[0]), at(face[2])), centre});
   }
   return tets;
 }
 
-std::vector<Fine> with_middles(std::vector<Fine> c) {
-  for (const auto& [a, b] : {std::pair{0u, 1u}, {1u, 2u}, {2u, 0u}, {0u, 3u}, {1u, 3u}, {2u, 3u}})
-    c.push_back(middle(c[a], c[b]));
+/// On each face, with the hexahedron's middle as their apex.
+std::vector<std::vector<Fine>> pyramids(const std::vector<Fine>& hexahedron) {
+  std::vector<std::vector<Fine>> all;
+  for (const auto& side : fem::shape(fem::CellType::hex8).faces) {
+    std::vector<Fine> cell;
+    for (const int v : side.corners()) cell.insert(cell.begin(), hexahedron[static_cast<std::size_t>(v)]);
+    cell.push_back(middle(hexahedron[0], hexahedron[6]));
+    all.push_back(cell);
+  }
+  return all;
+}
+
+std::vector<std::vector<Fine>> wedges(const std::vector<Fine>& h) {
+  return {{h[4], h[5], h[6], h[0], h[1], h[2]}, {h[4], h[6], h[7], h[0], h[2], h[3]}};
+}
+
+std::vector<std::vector<Fine>> cells_of(const std::vector<Fine>& hexahedron, fem::CellType linear) {
+  switch (linear) {
+    case fem::CellType::hex8: return {hexahedron};
+    case fem::CellType::wedge6: return wedges(hexahedron);
+    case fem::CellType::pyramid5: return pyramids(hexahedron);
+    default: return tetrahedra(hexahedron);
+  }
+}
+
+std::vector<Fine> with_middles(std::vector<Fine> c, fem::CellType type) {
+  if (fem::shape(type).quadratic())
+    for (const auto& [a, b] : fem::shape(type).edges)
+      c.push_back(middle(c[static_cast<std::size_t>(a)], c[static_cast<std::size_t>(b)]));
   return c;
 }
 
@@ -63,12 +89,8 @@ mesh::FileMesh lattice_mesh(const std::vector<Hexahedron>& hexahedra, fem::CellT
     return place->second;
   };
   for (const auto& h : hexahedra) {
-    const auto corner = corners(h);
-    const std::vector<std::vector<Fine>> cells =
-        type == fem::CellType::hex8 ? std::vector(1, corner) : tetrahedra(corner);
-    for (const auto& cell : cells) {
-      for (const auto& v : type == fem::CellType::tet10 ? with_middles(cell) : cell)
-        mesh.cell_vertices.push_back(number(v));
+    for (const auto& cell : cells_of(corners(h), fem::shape(type).linear)) {
+      for (const auto& v : with_middles(cell, type)) mesh.cell_vertices.push_back(number(v));
       mesh.cell_offsets.push_back(static_cast<mesh::Index>(mesh.cell_vertices.size()));
       mesh.cell_types.push_back(type);
       mesh.cell_ids.push_back(static_cast<mesh::Index>(mesh.cell_types.size()));

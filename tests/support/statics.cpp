@@ -12,10 +12,9 @@ algebra::Tall end_traction(const Problem& p, const std::string& set, const Eigen
   std::vector<double> weights;
   for (const auto face : mesh.find(set)->faces) {
     const auto vertices = mesh::face_vertices(mesh, face);
-    fem::visit(fem::shape(mesh.cells.types[static_cast<std::size_t>(face.cell)]).face, [&]<class F>(F) {
-      const auto w = fem::traction_weights<F>(fem::Coordinates<F>(mesh.points(Eigen::all, vertices)));
-      weights.insert(weights.end(), w.begin(), w.end());
-    });
+    const auto type = fem::side(mesh.cells.types[static_cast<std::size_t>(face.cell)], face.face).type;
+    const auto w = fem::traction_weights(type, mesh.points(Eigen::all, vertices));
+    weights.insert(weights.end(), w.data(), w.data() + w.size());
     for (const int v : vertices) numbers.push_back(mesh.global[static_cast<std::size_t>(v)]);
   }
   const Eigen::Map<const Eigen::VectorXd> rows(weights.data(), static_cast<Eigen::Index>(weights.size()));

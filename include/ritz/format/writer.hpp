@@ -42,9 +42,9 @@ class ModelWriter {
   /// afterwards. Throws std::runtime_error when a write fails.
   void finish();
 
-  /// Calls finish() if that was not done, renames the file, and makes beside it the link with the ending .vtkhdf
+  /// Calls finish() if that was not done, renames the file, and makes beside it the link with the ending .hdf
   /// through which ParaView shows the first body (if the file system supports links and no real file stands there).
-  /// With several bodies each also gets a small file MODEL.BODY.vtkhdf. Throws std::runtime_error.
+  /// With several bodies each also gets a small file MODEL.BODY.hdf. Throws std::runtime_error.
   void commit();
 
   /// Reserves disk space for `more` bytes and for HDF5's records of them. Throws std::runtime_error when there is not
@@ -65,7 +65,7 @@ class ModelWriter {
   std::filesystem::path path_;
   std::filesystem::path part_;                ///< on all ranks; empty before it is created and after commit
   std::optional<files::PartFile> part_file_;  ///< on the rank with writes_small
-  std::vector<files::PartFile> views_;        ///< on that rank: MODEL.BODY.vtkhdf of each of several bodies
+  std::vector<files::PartFile> views_;        ///< on that rank: MODEL.BODY.hdf of each of several bodies
   Access access_;
   File file_;
 };

@@ -10,7 +10,7 @@
 namespace ritz::format {
 
 /// XDMF's mixed topology: for each cell its XDMF type, then its vertices (rows of the points). Throws InputError for a
-/// VTK type other than those of tet4, tet10, hex8, tri3, tri6 and quad4.
+/// VTK type other than those of fem/cell.hpp.
 std::vector<std::int64_t> mixed_topology(const model::DrawnCells& cells);
 
 struct XdmfSize {

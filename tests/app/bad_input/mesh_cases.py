@@ -5,7 +5,7 @@ from meshes import INP, MSH2, MSH2_BINARY, MSH4, VEG, VTU
 from runner import Case
 
 MATERIAL = ["-material_young", "1e6", "-material_poisson", ".3", "-material_density", "1000"]
-OUTPUTS = {"model.h5", "model.vtkhdf", "frequencies.csv"}
+OUTPUTS = {"model.h5", "model.hdf", "frequencies.csv"}
 
 
 def words_for(file):
@@ -100,7 +100,7 @@ NUMBERS = [
 ]
 
 CELLS = [
-    bad("a prism", "m.msh", replaced(MSH2, "2 4 2 1 1 1 2 3 4", "2 6 2 1 1 1 2 3 4 5 1"), ":20", "prism"),
+    bad("a prism of 18", "m.msh", replaced(MSH2, "2 4 2 1 1 1 2 3 4", "2 13 2 1 1 1 2 3 4 5 1"), ":20", "prism with 18"),
     bad("a shell in inp", "m.inp", replaced(INP, "C3D4", "S4R"), "S4R"),
     bad("a tie in inp", "m.inp", INP + "*TIE, NAME=T\nA, B\n", ":20", "*TIE", "-ignore TIE"),
     bad("a keyword of no program", "m.inp", INP + "*GLUE, NAME=T\nA, B\n", ":20", "*GLUE", "-ignore GLUE"),
@@ -108,7 +108,7 @@ CELLS = [
         "*STEP, PERTURBATION\n*FREQUENCY\n2\n*END STEP\n", ":25", "PERTURBATION"),
     Case("one keyword ignored of two", [*words_for("m.inp"), "-ignore", "TIE"], ["m.inp:22", "*EQUATION"],
          {"m.inp": INP + "*TIE, NAME=T\nA, B\n*EQUATION\n2\n1, 1, 1., 4, 1, 1.\n"}),
-    bad("a wedge in vtu", "m.vtu", replaced(VTU, ">10 10<", ">10 13<"), "13"),
+    bad("a polyhedron in vtu", "m.vtu", replaced(VTU, ">10 10<", ">10 42<"), "42"),
     bad("an unknown cell in veg", "m.veg", replaced(VEG, "TET", "PRISM"), "PRISM"),
     bad("surfaces alone", "m.msh", replaced(MSH2, "2 4 2 1 1 1 2 3 4\n3 4 2 1 1 2 3 4 5", "2 2 2 7 1 1 2 4\n3 2 2 7 1 1 3 4")),
     Case("an inverted cell", words_for("m.msh"), ["cell 3", "inverted"], {"m.msh": replaced(MSH2, "2 3 4 5\n", "3 2 4 5\n")}),

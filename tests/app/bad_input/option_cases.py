@@ -90,7 +90,7 @@ BOXES = [
     box("a box of two lengths", "box:1,1/1,1,1/tet4"),
     box("a box of four counts", "box:1,1,1/1,1,1,1/tet4"),
     box("a box without a type", "box:1,1,1/1,1,1", "box:LX,LY,LZ/NX,NY,NZ/tet4"),
-    box("a box of wedges", "box:1,1,1/1,1,1/wedge6", "'wedge6'", "hex8"),
+    box("a box of pyramids", "box:1,1,1/1,1,1/pyramid5", "'pyramid5'", "hex8"),
     box("a box of negative length", "box:-1,1,1/1,1,1/tet4", "positive"),
     box("a box of length NaN", "box:nan,1,1/1,1,1/tet4"),
     box("a box of no cells", "box:1,1,1/0,1,1/tet4", "positive"),
