@@ -9,6 +9,7 @@ namespace ritz::app {
 namespace {
 
 constexpr Eigen::Index most_rows = 30;  ///< of the printed table
+constexpr double enough_mass = .9;      ///< of the body's, as codes for earthquakes ask
 
 std::string participation(const model::Inertia& inertia, Eigen::Index modes) {
   const Eigen::MatrixXd factors = inertia.participation_factors();
@@ -22,6 +23,19 @@ std::string participation(const model::Inertia& inertia, Eigen::Index modes) {
   return text;
 }
 
+/// A sentence on the axes along which the modes hold little of the mass; empty if there are none.
+std::string missing_mass(const Eigen::RowVector3d& shares) {
+  std::string axes;
+  for (Eigen::Index d = 0; d < 3; ++d)
+    if (shares[d] < enough_mass)
+      axes += (axes.empty() ? "" : ", ") + formatted("%.1f %% along %c", 100 * shares[d], "xyz"[d]);
+  if (axes.empty()) return "";
+  return "these modes hold only " + axes +
+         " of the body's mass, that of held vertices included: gravity, shaking and static loads in these directions "
+         "are "
+         "not answered in full; take more modes\n";
+}
+
 /// "rigid" or "flexible".
 const char* kind_of(const model::Modes& modes, Eigen::Index i) {
   return format::name(modes.kinds[static_cast<std::size_t>(i)]).data();
@@ -29,12 +43,25 @@ const char* kind_of(const model::Modes& modes, Eigen::Index i) {
 
 }  // namespace
 
-std::string frequencies_csv(const model::Modes& modes) {
+std::string frequencies_csv(const model::Modes& modes, const model::Inertia& inertia) {
   const std::string certified(format::name(modes.certificate.kind));
-  std::string text = "index,kind,frequency_hz,eigenvalue,residual,certified\n";
-  for (Eigen::Index i = 0; i < modes.eigenvalues.size(); ++i)
-    text += formatted("%td,%s,%.15g,%.15g,%.15g,%s\n", i + 1, kind_of(modes, i), model::frequency(modes.eigenvalues[i]),
+  const Eigen::MatrixXd masses = inertia.effective_masses(), factors = inertia.participation_factors();
+  const bool moving = masses.rows() == modes.eigenvalues.size();
+  std::string text = "index,kind,frequency_hz,eigenvalue,residual,certified";
+  if (moving)
+    text +=
+        ",effective_mass_x,effective_mass_y,effective_mass_z,participation_x,participation_y,participation_z,"
+        "participation_about_x,participation_about_y,participation_about_z";
+  text += '\n';
+  for (Eigen::Index i = 0; i < modes.eigenvalues.size(); ++i) {
+    text += formatted("%td,%s,%.15g,%.15g,%.15g,%s", i + 1, kind_of(modes, i), model::frequency(modes.eigenvalues[i]),
                       modes.eigenvalues[i], modes.residuals[i], certified.c_str());
+    if (moving) {
+      for (const double mass : masses.row(i)) text += formatted(",%.10g", mass);
+      for (const double factor : factors.row(i)) text += formatted(",%.10g", factor);
+    }
+    text += '\n';
+  }
   return text;
 }
 
@@ -61,9 +88,10 @@ std::string modes_lines(const model::Modes& modes, const model::Inertia& inertia
   if (shown < modes.eigenvalues.size())
     text += formatted("  ... %td more in the table of frequencies\n", modes.eigenvalues.size() - shown);
   if (moving)
-    text +=
-        formatted("   all modes                                    %6.2f %% %6.2f %6.2f\n",
-                  100 * masses.col(0).sum() / mass, 100 * masses.col(1).sum() / mass, 100 * masses.col(2).sum() / mass);
+    text += formatted("   all modes                                    %6.2f %% %6.2f %6.2f\n",
+                      100 * masses.col(0).sum() / mass, 100 * masses.col(1).sum() / mass,
+                      100 * masses.col(2).sum() / mass) +
+            missing_mass(masses.colwise().sum() / mass);
   if (moving) text += participation(inertia, shown);
   const auto& c = modes.certificate;
   if (c.kind == model::Certified::inertia)

@@ -112,14 +112,14 @@ void reduce(MPI_Comm comm, const config::Config& config) {
   if (config.exported != config::Export::nothing)
     progress.stage("export", [&] { exported = export_matrices(config, problem, modes.vectors); });
 
-  const Results results{modes, u, reduced, polynomial, inertia, loads};
+  const auto of_modes =
+      stages::inertia(mesh, problem.matrices.scalar_mass, mesh::to_vertices(mesh, dofs, modes.vectors));
+  const Results results{modes, u, reduced, polynomial, inertia, loads, of_modes};
   auto written = progress.stage("write", [&] {
     return WrittenModel(config, problem, file_geometry(mesh, problem.materials, config.rows), results, progress);
   });
-  const auto of_modes =
-      stages::inertia(mesh, problem.matrices.scalar_mass, mesh::to_vertices(mesh, dofs, modes.vectors));
-  auto summary = written_summary(comm, config,
-                                 [&] { return model_summary(config, problem, earlier, results, of_modes, progress); });
+  auto summary =
+      written_summary(comm, config, [&] { return model_summary(config, problem, earlier, results, progress); });
   outputs->publish([&] {
     for (auto& file : exported) file.publish();
     if (summary) summary->publish();

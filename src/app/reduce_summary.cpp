@@ -65,10 +65,10 @@ files::Json::Object beginning(const config::Config& config, const stages::Proble
 }  // namespace
 
 files::Json::Object model_summary(const config::Config& config, const stages::Problem& problem, const Earlier& earlier,
-                                  const Results& results, const model::Inertia& of_modes, const Progress& progress) {
+                                  const Results& results, const Progress& progress) {
   auto summary = beginning(config, problem, earlier, progress);
   summary.emplace_back("inertia", format::summary(results.inertia));
-  summary.emplace_back("modes", modes_summary(results.modes, of_modes));
+  summary.emplace_back("modes", modes_summary(results.modes, results.of_modes));
   summary.emplace_back("basis", basis_summary(results.basis, results.inertia));
   summary.emplace_back("derivatives", derivatives_summary(results.basis.figures));
   summary.emplace_back("accuracy", accuracy_summary(results.basis.figures.accuracy));

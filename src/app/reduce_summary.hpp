@@ -7,10 +7,9 @@
 
 namespace ritz::app {
 
-/// *Collective*. Of a run that wrote a model. `of_modes` is the inertia over the modes, or over no columns if their
-/// vectors are not available.
+/// *Collective*. Of a run that wrote a model.
 files::Json::Object model_summary(const config::Config& config, const stages::Problem& problem, const Earlier& earlier,
-                                  const Results& results, const model::Inertia& of_modes, const Progress& progress);
+                                  const Results& results, const Progress& progress);
 
 /// *Collective*. Of a run that printed a plan.
 files::Json::Object plan_summary(const config::Config& config, const stages::Problem& problem, const Earlier& earlier,

@@ -19,6 +19,7 @@ struct Results {
   const std::optional<ReducedPolynomial>& polynomial;
   const model::Inertia& inertia;
   const std::vector<model::SetLoad>& loads;
+  const model::Inertia& of_modes;  ///< the inertia over the modes; over no columns if their vectors are not available
 };
 
 /// A model and its table of frequencies, written but not published.
