@@ -7,6 +7,7 @@
 #include "ritz/algebra/session.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/base/printable.hpp"
+#include "ritz/base/version.hpp"
 #include "ritz/config/command_line.hpp"
 #include "ritz/config/option_table.hpp"
 #include "ritz/files/interruption.hpp"
@@ -25,6 +26,12 @@ int answer(MPI_Comm comm, const std::string& program, const char* message, int c
   }
   if (!together) MPI_Abort(comm, code);
   return code;
+}
+
+std::string version_text(const std::string& program) {
+  std::string text = program + " " + version + "\n";
+  for (const auto& [library, its] : algebra::library_versions()) text += library + ": " + its + "\n";
+  return text;
 }
 
 }  // namespace
@@ -54,6 +61,10 @@ int run_program(int argc, char** argv, config::Program program,
     const auto line = config::read_command_line(session.comm(), argc, argv);
     if (line.asked == config::Asked::help) {
       if (parallel::rank(session.comm()) == 0) std::fputs(config::help_text(name).c_str(), stdout);
+      return;
+    }
+    if (line.asked == config::Asked::version) {
+      if (parallel::rank(session.comm()) == 0) std::fputs(version_text(name).c_str(), stdout);
       return;
     }
     algebra::take_blas_memory();

@@ -54,6 +54,7 @@ CommandLine read_command_line(MPI_Comm comm, int argc, char** argv) {
     const bool has_value = i + 1 < argc && !is_option(argv[i + 1]);
     const std::string value = has_value ? argv[++i] : "";
     if (word == "-help" || word == "--help" || word == "-h") line.asked = Asked::help;
+    else if (word == "-version" || word == "--version") line.asked = Asked::version;
     else if (word != "-options_file") line.given.put({word.substr(1), value});
     else if (has_value) line.files.emplace_back(value);
     else throw InputError("option -options_file needs a file after it");

@@ -9,7 +9,7 @@
 
 namespace ritz::config {
 
-enum class Asked { run, help };
+enum class Asked { run, help, version };
 
 struct CommandLine {
   Asked asked = Asked::run;

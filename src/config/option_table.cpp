@@ -58,6 +58,7 @@ constexpr std::array entries = std::to_array<OptionEntry>({
     {"options_file", "FILE", "", "none",
      "options from a file, one a line, quotes as on a command line (.yml or .yaml: YAML); the command line wins"},
     {"help", "", "", "", "this text"},
+    {"version", "", "", "", "the versions of this program and of its libraries"},
     {"log_view", "stdout | :FILE | :FILE:FORMAT", "", "off",
      "PETSc's own timing table, by named stages; FORMAT is ascii_info_detail, ascii_csv, ascii_xml or "
      "ascii_flamegraph"},

@@ -2,6 +2,7 @@
 #pragma once
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "ritz/scene/scene.hpp"
 
@@ -14,5 +15,8 @@ Scene read(const std::filesystem::path& path);
 
 /// The same for the text of a scene file, which errors call `file`.
 Scene parse(const std::string& bytes, const std::string& file);
+
+/// A scene with every key that there is, and what each means, its unit and its default as comments.
+std::string_view reference();
 
 }  // namespace ritz::scene

@@ -5,6 +5,7 @@
 
 #include "ritz/base/error.hpp"
 #include "ritz/base/nearest.hpp"
+#include "ritz/base/version.hpp"
 
 namespace ritz::tools {
 namespace {
@@ -29,9 +30,12 @@ std::string one_line(std::string text) {
 
 void parse(CLI::App& app, int argc, const char* const* argv) {
   app.allow_extras();
+  app.set_version_flag("--version", app.get_name() + " " + version, "Print the version of this program and exit");
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
+    throw;
+  } catch (const CLI::CallForVersion&) {
     throw;
   } catch (const CLI::ParseError& error) {
     refuse_extras(app);  // a misspelt option explains a missing one

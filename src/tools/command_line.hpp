@@ -7,7 +7,8 @@ class App;
 
 namespace ritz::tools {
 
-/// Parses. Throws InputError of one line, which names the nearest option for an unknown one; CLI::CallForHelp passes.
+/// Parses. Throws InputError of one line, which names the nearest option for an unknown one; CLI::CallForHelp
+/// and CLI::CallForVersion pass.
 void parse(CLI::App& app, int argc, const char* const* argv);
 
 }  // namespace ritz::tools

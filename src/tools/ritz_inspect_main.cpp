@@ -50,8 +50,8 @@ int main(int argc, char** argv) {
     else tools::describe(in, std::cout);
     if (claim) tools::write_summary(tools::summary(in, checked), summary, *claim);
     return said();
-  } catch (const CLI::CallForHelp& help) {
-    app.exit(help);
+  } catch (const CLI::Success& asked) {  // --help or --version
+    app.exit(asked);
     return said();
   } catch (const InputError& error) {
     return fail(exit_input, error.what());

@@ -4,6 +4,7 @@
 
 #include "command_line.hpp"
 #include "ritz/base/error.hpp"
+#include "ritz/scene_file/read.hpp"
 
 namespace ritz::tools {
 namespace {
@@ -84,11 +85,16 @@ std::variant<RunOptions, Help> parse_run_options(int argc, const char* const* ar
       "Example: ritz-run model.h5 --scene scene.toml --output motion.h5\n"
       "Exit code: 0 done, 1 the numerics failed, 2 the input is wrong.\n");
   declare(app, options);
+  bool of_scenes = false;
+  app.add_flag("--help-scene", of_scenes, "Print a scene with every key, its unit and its default, and exit");
   try {
     parse(app, argc, argv);
   } catch (const CLI::CallForHelp&) {
     return Help{app.help()};
+  } catch (const CLI::CallForVersion& asked) {
+    return Help{std::string(asked.what()) + "\n"};
   }
+  if (of_scenes) return Help{std::string(scene::reference())};
   refuse_contradictions(options);
   return options;
 }

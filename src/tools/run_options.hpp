@@ -28,7 +28,7 @@ struct RunOptions {
   Voice voice = Voice::normal;
 };
 
-/// The text of --help, when that was asked for.
+/// The text of --help, --help-scene or --version, when that was asked for.
 struct Help {
   std::string text;
 };

@@ -201,6 +201,14 @@ class Voice(InAFolder):
                 self.assertEqual(len(re.findall(rf"^  -{option}\b", text, re.M)), 1, option)
         self.assertEqual(self.files(), set())
 
+    def test_versions(self):
+        for program, word, ranks in (("ritz-reduce", "-version", 2), ("ritz-full", "--version", 2),
+                                     ("ritz-run", "--version", 0), ("ritz-inspect", "--version", 0)):
+            with self.subTest(program):
+                text = self.bench.run(program, word, ranks=ranks).out
+                self.assertRegex(text.splitlines()[0], rf"^{program} \d+\.\d+\.\d+$")
+                self.assertEqual(text.count("PETSc:"), 1 if ranks else 0)
+
     def test_plan_writes_nothing(self):
         plan = self.reduce(*CLAMPED, "-plan", "-solver", "direct", ranks=1).out
         self.assertIn("modes", plan)

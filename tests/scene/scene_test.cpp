@@ -201,5 +201,23 @@ TEST(Frames, EverySoManySteps) {
   EXPECT_THAT(frame_schedule({.frames = {}, .every = 400}, 10), ElementsAre(0));
 }
 
+// As it stands it is a scene, and the lines that it offers instead of others are right too.
+TEST(Reference, IsASceneWithEveryKey) {
+  const std::string text(reference());
+  const Scene read = parse(text, "reference.toml");
+  ASSERT_TRUE(std::holds_alternative<Time>(read.analysis));
+  EXPECT_EQ(read.bodies.size(), 1u);
+  EXPECT_EQ(read.loads.size(), 1u);
+  EXPECT_EQ(read.probes.size(), 1u);
+  EXPECT_TRUE(read.gravity && read.shake && read.loads[0].table && !read.damping.ratio.empty());
+  for (const auto name : integrator_names) EXPECT_NE(text.find(name), text.npos) << name;
+  for (const std::string other : {"each = [0.0, 0.0, -1.0]", "pressure = 1000.0", "traction = [0.0, 0.0, -1e3]"}) {
+    ASSERT_NE(text.find("# " + other), text.npos);
+    std::string changed = text;
+    changed.replace(changed.find("total ="), 0, other + " # ");
+    EXPECT_NO_THROW(parse(changed, "changed.toml")) << other;
+  }
+}
+
 }  // namespace
 }  // namespace ritz::scene

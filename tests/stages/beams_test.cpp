@@ -75,7 +75,7 @@ TEST_F(Block, StretchesAndTwistsAsABar) {
 
 // The mass is consistent and the quadrature of K exact: a nested finer mesh can only lower every frequency.
 TEST(Refinement, LowersEveryFrequency) {
-  for (const char* type : {"tet4", "tet10", "hex8"}) {
+  for (const char* type : {"tet4", "tet10", "hex8", "hex20", "wedge15"}) {
     const auto f = [&](const std::string& cells) {
       return frequencies(modes(problem(box("box:1,.1,.06/" + cells + "/" + type), {fixed("xmin")}), 10).modes);
     };

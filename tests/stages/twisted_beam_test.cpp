@@ -13,8 +13,8 @@ constexpr double beam_length = 12, width = 1.1, depth = .32;  // the benchmark's
 constexpr fem::Material material = test::stvk(29e6, .22, 1);
 
 /// The straight box with its section centred on the axis, then turned by 90 degrees along its length.
-mesh::Mesh twisted_beam() {
-  mesh::Mesh mesh = box("box:12,1.1,.32/12,2,1/tet10");
+mesh::Mesh twisted_beam(const std::string& cells) {
+  mesh::Mesh mesh = box("box:12,1.1,.32/12,2,1/" + cells);
   for (int v = 0; v < mesh.local_vertices(); ++v) {
     auto x = mesh.points.col(v);
     const double angle = std::numbers::pi / 2 * x.x() / beam_length, y = x.y() - width / 2, z = x.z() - depth / 2;
@@ -23,8 +23,10 @@ mesh::Mesh twisted_beam() {
   return mesh;
 }
 
-TEST(TwistedBeam, BendsAsMacNealAndHarderSay) {
-  const Problem p = problem(twisted_beam(), {fixed("xmin")}, {material});
+class TwistedBeam : public testing::TestWithParam<const char*> {};
+
+TEST_P(TwistedBeam, BendsAsMacNealAndHarderSay) {
+  const Problem p = problem(twisted_beam(GetParam()), {fixed("xmin")}, {material});
   // At the tip the section's width lies along z: the load in its plane bends about the thin side.
   const std::array<double, 3> deflection = {0, .001754, .005424};
   for (const int c : {1, 2}) {
@@ -32,6 +34,9 @@ TEST(TwistedBeam, BendsAsMacNealAndHarderSay) {
     EXPECT_NEAR(work(p, force, solve(p, force)) / deflection[static_cast<std::size_t>(c)], 1, .02) << "component " << c;
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(, TwistedBeam, testing::Values("tet10", "hex20", "wedge15"),
+                         [](const auto& info) { return std::string(info.param); });
 
 }  // namespace
 }  // namespace ritz::test

@@ -99,6 +99,8 @@ class RitzRun(InAFolder):
         result = self.run_it("--help")
         self.assertEqual((result.code, result.err), (0, ""))
         self.assertIn("--animate-mode", result.out)
+        reference = self.run_it("--help-scene").out
+        self.assertIn("```toml\n" + reference + "```", (Path(__file__).parents[2] / "docs/options.md").read_text())
 
     def test_quiet(self):
         self.assertEqual(self.run_it("model.h5", "--scene", "scene.toml", "--quiet").out, "")

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "ritz/base/error.hpp"
+#include "ritz/scene_file/read.hpp"
 
 namespace ritz::tools {
 namespace {
@@ -35,6 +36,8 @@ TEST(RunOptions, AMode) {
 }
 
 TEST(RunOptions, HelpNamesEveryOption) {
+  EXPECT_EQ(std::get<Help>(parse({"--help-scene"})).text, scene::reference());
+  EXPECT_THAT(std::get<Help>(parse({"--version"})).text, HasSubstr("ritz-run "));
   const auto help = std::get<Help>(parse({"--help"})).text;
   for (const auto* option :
        {"--scene", "--output", "--animate-mode", "--frames", "--every", "--timing", "--single", "--linear", "--quiet"})

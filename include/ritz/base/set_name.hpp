@@ -83,9 +83,10 @@ inline std::string resolve_set(const std::vector<std::string>& names, const std:
   const auto plain = kind_said ? asked.substr(colon + 1) : asked;
   if (kind_said && std::find(names.begin(), names.end(), plain) != names.end())
     throw InputError(where + " has one set alone of that name; write '" + written(plain) + "'");
-  throw InputError(
-      where + " has no set '" + asked + "'" +
-      hint(asked, with_plain_names(names), [&](const std::string& name) { return "'" + written(name) + "'"; }));
+  const auto known = with_plain_names(names);
+  const auto word = meant_by(asked, known).empty() ? asked.substr(0, asked.rfind(':')) : asked;  // NAME:components
+  throw InputError(where + " has no set '" + asked + "'" +
+                   hint(word, known, [&](const std::string& name) { return "'" + written(name) + "'"; }));
 }
 
 }  // namespace ritz

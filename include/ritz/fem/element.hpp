@@ -17,15 +17,16 @@ struct Tabulated {
   int count() const { return static_cast<int>(weights.size()); }
 };
 
+/// The shape functions N_a of a cell (d = 3) or a face (d = 2), and its quadrature rules.
 template <int d>
 struct Element {
   int vertices;
   std::span<const Point<d>> reference;                      ///< coordinates of the vertices in the reference domain
   void (*shape)(const Point<d>& xi, double* values);        ///< N_a
   void (*gradient)(const Point<d>& xi, double* gradients);  ///< dN_a/dξ_i, vertices x d, column by column
-  Tabulated rule;       ///< cells: of force, stiffness, modal derivatives and polynomial; faces: of loads
-  Tabulated mass_rule;  ///< cells alone: exact for N_a N_b det J of every shape that the cell can have
-  Tabulated at_vertices;
+  Tabulated rule;         ///< cells: of force, stiffness, modal derivatives and polynomial; faces: of loads
+  Tabulated mass_rule;    ///< cells alone: exact for N_a N_b det J of every shape that the cell can have
+  Tabulated at_vertices;  ///< with weights of zero: for gradients at the vertices
 };
 
 /// The element of a type, made when it is first asked for.
