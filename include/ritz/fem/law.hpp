@@ -23,8 +23,8 @@ struct Response {
 /// together, three and one of padding, so that they fill a register.
 class Moduli {
  public:
-  /// Zero.
-  Moduli() = default;
+  /// Without values: of_products and unknown set all of them.
+  Moduli() {}
 
   /// a B_ij B_kl + b B_il B_kj, of which the moduli of many laws are composed.
   static Moduli of_products(const Matrix<3, 3>& B, double a, double b);
@@ -39,7 +39,7 @@ class Moduli {
   static constexpr int place(int j, int k, int l) { return 4 * (9 * l + 3 * k + j); }
 
  private:
-  alignas(32) std::array<double, 108> numbers_{};
+  alignas(32) std::array<double, 108> numbers_;
 };
 
 /// An isotropic law near rest, given by Lamé's constants and Landau's three constants of third order, all in Pa:
