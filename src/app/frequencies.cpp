@@ -31,8 +31,7 @@ std::string missing_mass(const Eigen::RowVector3d& shares) {
       axes += (axes.empty() ? "" : ", ") + formatted("%.1f %% along %c", 100 * shares[d], "xyz"[d]);
   if (axes.empty()) return "";
   return "these modes hold only " + axes +
-         " of the body's mass, that of held vertices included: gravity, shaking and static loads in these directions "
-         "are "
+         " of the body's mass, that of held vertices included: gravity, shaking and static loads along these axes are "
          "not answered in full; take more modes\n";
 }
 

@@ -27,8 +27,6 @@ Tabulated tabulated(std::span<const Sample<d>> samples) {
 template <class E>
 auto made() {
   constexpr int d = static_cast<int>(E::reference[0].size());
-  std::vector<Sample<d>> at_vertices;
-  for (const auto& xi : E::reference) at_vertices.push_back({xi, 0});
   Element<d> element{static_cast<int>(E::reference.size()),
                      E::reference,
                      [](const Point<d>& xi, double* values) { std::ranges::copy(E::shape(xi), values); },
@@ -37,8 +35,13 @@ auto made() {
                      },
                      tabulated<E, d>(E::rule),
                      {},
-                     tabulated<E, d>(at_vertices)};
-  if constexpr (d == 3) element.mass_rule = tabulated<E, d>(E::mass_rule);
+                     {}};
+  if constexpr (d == 3) {
+    std::vector<Sample<d>> at_vertices;
+    for (const auto& xi : E::reference) at_vertices.push_back({xi, 0});
+    element.mass_rule = tabulated<E, d>(E::mass_rule);
+    element.at_vertices = tabulated<E, d>(at_vertices);
+  }
   return element;
 }
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "ritz/fem/element.hpp"
+#include "jacobian.hpp"
 #include "ritz/fem/integration_points.hpp"
 
 namespace ritz::fem {
@@ -15,17 +15,10 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// det J at a point of a table.
-double determinant(const Tabulated& table, int point, const CellVectors& from_first) {
-  const GradientsRef reference(table.gradients.data() + 3 * from_first.cols() * point, from_first.cols(), 3);
-  const Matrix<3, 3> J = from_first.lazyProduct(reference);
-  return J.determinant();
-}
-
 /// The least det J at the first `count` points of a table.
 double smallest_over(const Tabulated& table, int count, const CellVectors& from_first) {
   double smallest = infinity;
-  for (int q = 0; q < count; ++q) smallest = std::min(smallest, determinant(table, q, from_first));
+  for (int q = 0; q < count; ++q) smallest = std::min(smallest, jacobian(table, q, from_first));
   return smallest;
 }
 
@@ -36,7 +29,7 @@ double volume(CellType type, const CellVectors& x) {
   const CellVectors from_first = relative(x);
   double sum = 0;
   for (int q = 0; q < rule.count(); ++q)
-    sum += rule.weights[static_cast<std::size_t>(q)] * determinant(rule, q, from_first);
+    sum += rule.weights[static_cast<std::size_t>(q)] * jacobian(rule, q, from_first);
   return sum;
 }
 

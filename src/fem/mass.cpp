@@ -3,8 +3,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "jacobian.hpp"
 #include "ritz/base/simd.hpp"
-#include "ritz/fem/element.hpp"
 #include "ritz/fem/geometry.hpp"
 
 namespace ritz::fem {
@@ -54,12 +54,9 @@ VertexMatrix mass_by_quadrature(CellType type, const CellVectors& x, double dens
   const CellVectors from_first = relative(x);
   const int n = element(type).vertices;
   VertexMatrix M = VertexMatrix::Zero(n, n);
-  for (int q = 0; q < rule.count(); ++q) {
-    const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 3>> reference(rule.gradients.data() + 3 * n * q, n, 3);
-    const Matrix<3, 3> J = from_first.lazyProduct(reference);
-    add_outer(n, density * rule.weights[static_cast<std::size_t>(q)] * J.determinant(), rule.values.data() + n * q,
-              M.data());
-  }
+  for (int q = 0; q < rule.count(); ++q)
+    add_outer(n, density * rule.weights[static_cast<std::size_t>(q)] * jacobian(rule, q, from_first),
+              rule.values.data() + n * q, M.data());
   for (int b = 0; b < n; ++b)
     for (int a = 0; a < b; ++a) M(b, a) = M(a, b);
   return M;

@@ -11,8 +11,8 @@
 namespace ritz::mesh {
 
 /// A box [0, lengths] divided into cells[0] x cells[1] x cells[2] hexahedra, or each of those into Kuhn's six
-/// tetrahedra or into two wedges. Vertices are numbered with x running fastest, then y, then z; those of quadratic cells
-/// lie on the grid of half the spacing.
+/// tetrahedra or into two wedges. Vertices are numbered with x running fastest, then y, then z; those of quadratic
+/// cells lie on the grid of half the spacing.
 struct Box {
   std::array<double, 3> lengths;  ///< in the units of the mesh option
   std::array<Index, 3> cells;

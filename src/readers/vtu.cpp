@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ritz/base/shown.hpp"
+#include "ritz/fem/geometry.hpp"
 #include "ritz/readers/groups.hpp"
 #include "ritz/readers/vtu_file.hpp"
 
@@ -96,16 +97,11 @@ void reorder_from_vtk(Index type, std::span<Index> vertices) {
 // By VTK's documentation the first triangle of a wedge is counter-clockwise seen from outside; many programs write it
 // as Gmsh and Abaqus do, the other way round. The cell is taken so that its volume is positive.
 void orient_wedge(const ListedMesh& mesh, Shape shape, std::span<Index> ids) {
-  const auto at = [&](std::size_t a, std::size_t i) { return mesh.points[static_cast<std::size_t>(ids[a])][i]; };
-  std::array<std::array<double, 3>, 3> r;
-  for (std::size_t a = 0; a < 3; ++a)
-    for (std::size_t i = 0; i < 3; ++i) r[a][i] = at(a + 1, i) - at(0, i);
-  double volume = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    volume += r[0][i] * (r[1][j] * r[2][k] - r[1][k] * r[2][j]);
-  }
-  if (volume > 0) turn_wedge(shape, ids);
+  fem::CellVectors x(3, 6);
+  for (int a = 0; a < 6; ++a)
+    for (int i = 0; i < 3; ++i)
+      x(i, a) = mesh.points[static_cast<std::size_t>(ids[static_cast<std::size_t>(a)])][static_cast<std::size_t>(i)];
+  if (fem::volume(fem::CellType::wedge6, x) < 0) turn_wedge(shape, ids);
 }
 
 void read_points(const VtuFile& vtu, const pugi::xml_node& piece, const PieceSize& size, VtuMesh& to) {

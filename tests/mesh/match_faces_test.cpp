@@ -59,7 +59,8 @@ TEST(Faces, ThatDoNotConformAreWarnedOf) {
       points, {{fem::CellType::tet10, {0, 1, 2, 3, 5, 6, 7, 8, 9, 10}}, {fem::CellType::tet4, {1, 2, 3, 4}}}));
   EXPECT_EQ(mesh.hanging_faces, 1);
   EXPECT_EQ(mesh.pieces, 1);
-  EXPECT_THAT(warnings(mesh), ElementsAre(HasSubstr("1 face joins a quadratic cell to one without its mid-edge vertices")));
+  EXPECT_THAT(warnings(mesh),
+              ElementsAre(HasSubstr("1 face joins a quadratic cell to one without its mid-edge vertices")));
 }
 
 TEST(Faces, OfTheSameCellTwiceAreRefused) {

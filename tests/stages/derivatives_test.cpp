@@ -158,7 +158,9 @@ TEST_P(TwoWays, MultigridAgreesWithAFactorization) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, TwoWays,
-                         testing::Combine(testing::Values("4,2,2/tet4", "2,1,1/tet10", "4,2,2/hex8", "2,1,1/hex20", "3,1,2/wedge6", "2,1,1/wedge15"), testing::Bool()),
+                         testing::Combine(testing::Values("4,2,2/tet4", "2,1,1/tet10", "4,2,2/hex8", "2,1,1/hex20",
+                                                          "3,1,2/wedge6", "2,1,1/wedge15"),
+                                          testing::Bool()),
                          [](const auto& info) {
                            const std::string text = std::get<0>(info.param);
                            return text.substr(text.rfind('/') + 1) + (std::get<1>(info.param) ? "_free" : "_clamped");

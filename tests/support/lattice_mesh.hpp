@@ -16,8 +16,9 @@ using Map = std::function<Eigen::Vector3d(const Eigen::Vector3d&)>;
 std::vector<Hexahedron> grid(int nx, int ny, int nz);
 
 /// The hexahedra as they are (hex8, hex20), or each cut into 24 tetrahedra around its middle and its faces' middles,
-/// which keeps all symmetries of the cube, into two wedges or into six pyramids. Hexahedra share the lattice vertices that they have in common. Every vertex,
-/// mid-edge ones too, is put where `map` sends its lattice coordinates. One region, "body".
+/// which keeps all symmetries of the cube, into two wedges or into six pyramids. Hexahedra share the lattice vertices
+/// that they have in common. Every vertex, mid-edge ones too, is put where `map` sends its lattice coordinates. One
+/// region, "body".
 mesh::FileMesh lattice_mesh(const std::vector<Hexahedron>& hexahedra, fem::CellType type, const Map& map);
 
 /// The ends of a Tet10's edges and the vertex in the middle, by the cell's own numbers.

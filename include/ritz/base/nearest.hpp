@@ -81,8 +81,7 @@ std::string hint(std::string_view word, const Range& candidates, const Written& 
   std::vector<std::string> names;
   for (const auto& candidate : candidates) names.emplace_back(candidate);
   const std::string guessed = meant.empty() ? "" : "; did you mean " + written(meant) + "?";
-  if (names.size() < 2 && !guessed.empty()) return guessed;
-  if (names.size() > most && !guessed.empty()) return guessed;
+  if (!guessed.empty() && (names.size() < 2 || names.size() > most)) return guessed;
   std::string list;
   for (std::size_t i = 0; i < std::min(names.size(), most); ++i)
     list += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + written(names[i]);

@@ -26,7 +26,7 @@ struct Element {
   void (*gradient)(const Point<d>& xi, double* gradients);  ///< dN_a/dξ_i, vertices x d, column by column
   Tabulated rule;         ///< cells: of force, stiffness, modal derivatives and polynomial; faces: of loads
   Tabulated mass_rule;    ///< cells alone: exact for N_a N_b det J of every shape that the cell can have
-  Tabulated at_vertices;  ///< with weights of zero: for gradients at the vertices
+  Tabulated at_vertices;  ///< cells alone: with weights of zero, for gradients at the vertices
 };
 
 /// The element of a type, made when it is first asked for.
