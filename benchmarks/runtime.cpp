@@ -8,7 +8,7 @@
 #include <chrono>
 #include <random>
 
-#include "ritz/runtime/polynomial_batch.hpp"
+#include "ritz/runtime/polynomial_force.hpp"
 #include "ritz/runtime/reconstruction.hpp"
 #include "ritz/runtime/step.hpp"
 

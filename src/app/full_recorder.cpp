@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "ritz/app/full_start.hpp"
-#include "ritz/files/names.hpp"
+#include "ritz/files/part_file.hpp"
 
 namespace ritz::app {
 namespace {

@@ -5,7 +5,7 @@
 #include "ritz/app/export.hpp"
 #include "ritz/app/full_file.hpp"
 #include "ritz/files/interruption.hpp"
-#include "ritz/files/names.hpp"
+#include "ritz/files/part_file.hpp"
 #include "ritz/parallel/guard.hpp"
 
 namespace ritz::app {

@@ -9,8 +9,8 @@
 #include "ritz/app/resolved.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/base/version.hpp"
-#include "ritz/files/names.hpp"
-#include "ritz/format/parallel_access.hpp"
+#include "ritz/files/part_file.hpp"
+#include "ritz/format/writer.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/parallel/guard.hpp"
 

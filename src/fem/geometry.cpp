@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "jacobian.hpp"
-#include "ritz/fem/integration_points.hpp"
+#include "ritz/fem/element.hpp"
 
 namespace ritz::fem {
 namespace {

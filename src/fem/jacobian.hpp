@@ -2,7 +2,7 @@
 #pragma once
 #include <Eigen/LU>
 
-#include "ritz/fem/integration_points.hpp"
+#include "ritz/fem/element.hpp"
 
 namespace ritz::fem {
 

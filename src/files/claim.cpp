@@ -11,9 +11,7 @@
 #include <utility>
 
 #include "ritz/base/error.hpp"
-#include "ritz/files/failure.hpp"
 #include "ritz/files/interruption.hpp"
-#include "ritz/files/names.hpp"
 #include "ritz/files/part_file.hpp"
 
 namespace ritz::files {

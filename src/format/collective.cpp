@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "hdf5.hpp"
-#include "ritz/files/failure.hpp"
+#include "ritz/files/part_file.hpp"
 
 namespace ritz::format {
 

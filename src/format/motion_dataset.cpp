@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "hdf5.hpp"
-#include "ritz/files/failure.hpp"
+#include "ritz/files/part_file.hpp"
 #include "ritz/format/checksum.hpp"
 #include "ritz/format/schema.hpp"
 

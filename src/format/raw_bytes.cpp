@@ -1,4 +1,4 @@
-#include "raw_bytes.hpp"
+#include "raw_header.hpp"
 
 #include <unistd.h>
 

@@ -2,8 +2,6 @@
 
 #include <cstring>
 
-#include "raw_bytes.hpp"
-
 // After the HDF5 file format specification, version 3.0, part IV.A.
 
 namespace ritz::format {

@@ -1,16 +1,46 @@
-// Reads HDF5 object headers of datasets and groups from the bytes of a file, because HDF5 itself trusts whatever it
-// finds there and may loop for ever in a damaged heap.
+// Reads HDF5 object headers of datasets and groups from the bytes of a file that HDF5 has opened, because HDF5 itself
+// trusts whatever it finds there and may loop for ever in a damaged heap.
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
+#include "hdf5.hpp"
 #include "ritz/format/stored_file.hpp"
 
 namespace ritz::format {
 
-class RawFile;
+/// Throws BadHeader.
+[[noreturn]] void bad_header();
+
+/// A file opened with HDF5's POSIX or in-memory driver.
+class RawFile {
+ public:
+  explicit RawFile(hid_t file);
+  std::uint64_t size() const { return size_; }
+  /// The bytes [at, at + count). Throws BadHeader when the file does not have them, and for more than 64 MB.
+  std::vector<unsigned char> bytes(std::uint64_t at, std::uint64_t count) const;
+
+ private:
+  hsize_t size_ = 0;
+  const unsigned char* memory_ = nullptr;
+  int descriptor_ = -1;
+};
+
+/// Reads bytes and numbers one after another. Throws BadHeader past the end.
+class Cursor {
+ public:
+  explicit Cursor(std::span<const unsigned char> bytes) : left_(bytes) {}
+
+  std::size_t size() const { return left_.size(); }
+  std::span<const unsigned char> take(std::size_t count);
+  std::uint64_t number(std::size_t bytes);
+
+ private:
+  std::span<const unsigned char> left_;
+};
 
 enum class Layout : std::uint8_t { compact = 0, contiguous = 1, chunked = 2, view = 3 };
 enum class ValueClass : std::uint8_t { integer = 0, real = 1, text = 3 };

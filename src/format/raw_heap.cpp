@@ -5,7 +5,7 @@
 #include <optional>
 #include <set>
 
-#include "raw_bytes.hpp"
+#include "raw_header.hpp"
 
 // After the HDF5 file format specification, version 3.0, parts III.E and VII.A.
 

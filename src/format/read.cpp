@@ -4,7 +4,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "raw_bytes.hpp"
+#include "raw_header.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/format/checksum.hpp"
 

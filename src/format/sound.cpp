@@ -5,7 +5,7 @@
 
 #include "read.hpp"
 #include "ritz/base/shown.hpp"
-#include "ritz/format/contents.hpp"
+#include "ritz/format/reader.hpp"
 
 namespace ritz::format {
 

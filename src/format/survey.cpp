@@ -3,7 +3,7 @@
 #include <limits>
 #include <set>
 
-#include "raw_bytes.hpp"
+#include "raw_header.hpp"
 #include "read.hpp"
 
 namespace ritz::format {

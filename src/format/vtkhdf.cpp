@@ -4,7 +4,6 @@
 
 #include "collective.hpp"
 #include "disk.hpp"
-#include "ritz/files/failure.hpp"
 #include "write.hpp"
 
 namespace ritz::format {

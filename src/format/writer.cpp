@@ -8,7 +8,6 @@
 #include "collective.hpp"
 #include "disk.hpp"
 #include "ritz/base/error.hpp"
-#include "ritz/files/failure.hpp"
 #include "vtkhdf.hpp"
 #include "write.hpp"
 
@@ -120,5 +119,12 @@ void ModelWriter::commit() {
   });
   part_.clear();
 }
+
+#ifdef H5_HAVE_PARALLEL
+ParallelLists::ParallelLists(MPI_Comm comm) : file(H5Pcreate(H5P_FILE_ACCESS)), transfer(H5Pcreate(H5P_DATASET_XFER)) {
+  H5Pset_fapl_mpio(file.get(), comm, MPI_INFO_NULL);
+  H5Pset_dxpl_mpio(transfer.get(), H5FD_MPIO_COLLECTIVE);
+}
+#endif
 
 }  // namespace ritz::format

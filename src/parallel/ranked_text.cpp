@@ -4,7 +4,7 @@
 #include <cerrno>
 #include <charconv>
 
-#include "ritz/files/failure.hpp"
+#include "ritz/files/part_file.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/parallel/guard.hpp"
 

@@ -1,6 +1,7 @@
-// One attempt at a part of a step. It solves the equation of the part; the state is advanced only when that succeeds.
+// One attempt at a part of a step: it solves the equation of the part, and the state is advanced only when that
+// succeeds. And the derivative of a part, multiplied by that of the parts before it (chain rule).
 #pragma once
-#include "ritz/runtime/step_derivative.hpp"
+#include "ritz/runtime/step.hpp"
 
 namespace ritz::runtime {
 
@@ -62,5 +63,17 @@ template <class Scalar>
 Outcome solve_explicit(const Model<Scalar>& model, const State<Scalar>& state, const StepLoad<Scalar>& load,
                        const StepPart<Scalar>& part, const ExplicitStep<Scalar>& numbers, Scalar dt,
                        NewtonRoom<Scalar>& room);
+
+/// For an implicit step, at the solution room.delta, before the state is advanced.
+template <class Scalar>
+void chain_implicit(const Model<Scalar>& model, const State<Scalar>& state, const StepLoad<Scalar>& load,
+                    const StepPart<Scalar>& part, const ImplicitStep<Scalar>& numbers, NewtonRoom<Scalar>& room,
+                    StepDerivative<Scalar>& derivative);
+
+/// For an explicit step, where its forces were evaluated last.
+template <class Scalar>
+void chain_explicit(const Model<Scalar>& model, const State<Scalar>& state, const StepLoad<Scalar>& load,
+                    const StepPart<Scalar>& part, const ExplicitStep<Scalar>& numbers, NewtonRoom<Scalar>& room,
+                    StepDerivative<Scalar>& derivative);
 
 }  // namespace ritz::runtime

@@ -6,6 +6,13 @@
 // With β = 0, γ = ½ it is the central difference with velocities at whole steps, which is explicit.
 #include "ritz/runtime/integrator.hpp"
 
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "ritz/base/error.hpp"
+#include "ritz/base/shown.hpp"
+
 namespace ritz::runtime {
 namespace {
 
@@ -105,5 +112,13 @@ Integrator implicit_euler() { return {"implicit-euler", History::none, first_ord
 Integrator bdf2() { return {"bdf2", History::last_step, second_order(), first_of_two()}; }
 
 Integrator avf() { return {"avf", History::none, average_vector_field()}; }
+
+void refuse_unstable(const Integrator& integrator, double omega, double dt) {
+  const auto* method = std::get_if<ExplicitStep<>>(&integrator.step);
+  if (!method || omega * dt <= method->stable * (1 + 16 * std::numeric_limits<double>::epsilon())) return;
+  throw InputError(std::string(integrator.name) + " with a step of " + shown(dt) + " s is unstable for the mode of " +
+                   shown(omega / (2 * M_PI)) + " Hz: choose a step of at most " +
+                   shown((1 - 6e-6) * method->stable / omega) + " s or another integrator");
+}
 
 }  // namespace ritz::runtime

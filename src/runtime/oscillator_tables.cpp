@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "stable_step.hpp"
+#include "ritz/runtime/integrator.hpp"
 
 namespace ritz::runtime {
 namespace {

@@ -1,6 +1,6 @@
 // Steps of oscillators from a table.
 #pragma once
-#include "ritz/runtime/step_derivative.hpp"
+#include "ritz/runtime/step.hpp"
 
 namespace ritz::runtime {
 

@@ -1,4 +1,4 @@
-#include "part_derivative.hpp"
+#include "attempt.hpp"
 
 namespace ritz::runtime {
 namespace {

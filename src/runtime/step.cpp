@@ -4,11 +4,9 @@
 
 #include "attempt.hpp"
 #include "oscillator_tables.hpp"
-#include "part_derivative.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/base/shown.hpp"
 #include "ritz/runtime/symmetric_eigen.hpp"
-#include "stable_step.hpp"
 
 namespace ritz::runtime {
 namespace {

@@ -1,7 +1,7 @@
 #include "ritz/stages/derivative_loads.hpp"
 
 #include "ritz/base/simd.hpp"
-#include "ritz/fem/integration_points.hpp"
+#include "ritz/fem/element.hpp"
 #include "ritz/stages/each_cell.hpp"
 
 namespace ritz::stages {

@@ -6,7 +6,7 @@
 
 #include "ritz/algebra/dense.hpp"
 #include "ritz/algebra/matrix.hpp"
-#include "ritz/fem/mass.hpp"
+#include "ritz/fem/cell_matrices.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/stages/each_cell.hpp"
 #include "ritz/stages/rayleigh_ritz.hpp"

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "ritz/fem/element.hpp"
 #include "ritz/fem/geometry.hpp"
-#include "ritz/fem/integration_points.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/stages/each_cell.hpp"
 #include "ritz/stages/internal_force.hpp"

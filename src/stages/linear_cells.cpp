@@ -5,8 +5,8 @@
 #include <map>
 
 #include "ritz/base/shown.hpp"
+#include "ritz/fem/element.hpp"
 #include "ritz/fem/geometry.hpp"
-#include "ritz/fem/integration_points.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/stages/each_cell.hpp"
 

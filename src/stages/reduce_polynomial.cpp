@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "ritz/algebra/dense.hpp"
-#include "ritz/fem/integration_points.hpp"
+#include "ritz/fem/element.hpp"
 #include "ritz/mesh/dofs.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/stages/each_cell.hpp"

@@ -7,7 +7,6 @@
 #include "inspect_text.hpp"
 #include "ritz/base/printable.hpp"
 #include "ritz/base/shown.hpp"
-#include "ritz/format/contents.hpp"
 #include "ritz/format/sound.hpp"
 
 namespace ritz::tools {

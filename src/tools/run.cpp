@@ -14,7 +14,7 @@
 #include "ritz/base/shown.hpp"
 #include "ritz/files/claim.hpp"
 #include "ritz/files/json.hpp"
-#include "ritz/files/names.hpp"
+#include "ritz/files/part_file.hpp"
 #include "ritz/format/parts.hpp"
 #include "ritz/format/schema.hpp"
 #include "ritz/scene_file/read.hpp"

@@ -3,8 +3,6 @@
 #include <cerrno>
 #include <utility>
 
-#include "ritz/files/failure.hpp"
-
 namespace ritz::tools {
 
 TableFile::TableFile(const std::filesystem::path& path) : file_(path), out_(file_.part(), std::ios::binary) {

@@ -1,5 +1,5 @@
 // The consistent mass against fine quadrature, its sums and invariances.
-#include "ritz/fem/mass.hpp"
+#include "ritz/fem/cell_matrices.hpp"
 
 #include <Eigen/Cholesky>
 

@@ -4,11 +4,10 @@
 #include <memory>
 
 #include "fem/sample_cells.hpp"
+#include "ritz/fem/cell_matrices.hpp"
 #include "ritz/fem/face.hpp"
 #include "ritz/fem/geometry.hpp"
-#include "ritz/fem/mass.hpp"
 #include "ritz/fem/response.hpp"
-#include "ritz/fem/stiffness.hpp"
 #include "support/allocations.hpp"
 
 namespace ritz::fem::testing {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "fem/sample_cells.hpp"
-#include "ritz/fem/stiffness.hpp"
+#include "ritz/fem/cell_matrices.hpp"
 
 namespace ritz::fem {
 namespace {

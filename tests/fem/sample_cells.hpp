@@ -9,7 +9,6 @@
 
 #include "ritz/base/random.hpp"
 #include "ritz/fem/element.hpp"
-#include "ritz/fem/integration_points.hpp"
 #include "ritz/fem/quadrature.hpp"
 
 namespace ritz::fem::testing {

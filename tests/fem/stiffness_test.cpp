@@ -1,5 +1,5 @@
 // The stiffness against the energy of linear elasticity, its null space, constant strain and invariances.
-#include "ritz/fem/stiffness.hpp"
+#include "ritz/fem/cell_matrices.hpp"
 
 #include "fem/sample_cells.hpp"
 #include "ritz/fem/face.hpp"

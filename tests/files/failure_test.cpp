@@ -1,4 +1,4 @@
-#include "ritz/files/failure.hpp"
+#include "ritz/files/part_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

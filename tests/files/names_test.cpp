@@ -1,4 +1,4 @@
-#include "ritz/files/names.hpp"
+#include "ritz/files/part_file.hpp"
 
 #include <gtest/gtest.h>
 

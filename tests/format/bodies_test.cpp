@@ -5,7 +5,7 @@
 #include "format/changed.hpp"
 #include "format/expect_same.hpp"
 #include "ritz/base/error.hpp"
-#include "ritz/format/contents.hpp"
+#include "ritz/format/reader.hpp"
 #include "ritz/format/sound.hpp"
 #include "support/nonlinear_sample_model.hpp"
 

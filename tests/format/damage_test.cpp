@@ -6,7 +6,7 @@
 #include "format/temporary.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/base/random.hpp"
-#include "ritz/format/contents.hpp"
+#include "ritz/format/reader.hpp"
 #include "ritz/format/sound.hpp"
 #include "support/sample_model.hpp"
 

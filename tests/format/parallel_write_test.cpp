@@ -7,9 +7,9 @@
 #include "format/temporary.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/base/random.hpp"
-#include "ritz/format/contents.hpp"
-#include "ritz/format/parallel_access.hpp"
 #include "ritz/format/parts.hpp"
+#include "ritz/format/reader.hpp"
+#include "ritz/format/writer.hpp"
 #include "support/sample_model.hpp"
 
 namespace ritz::format {

@@ -6,8 +6,8 @@
 
 #include "format/expect_same.hpp"
 #include "format/temporary.hpp"
-#include "ritz/format/contents.hpp"
 #include "ritz/format/parts.hpp"
+#include "ritz/format/reader.hpp"
 #include "support/nonlinear_sample_model.hpp"
 
 namespace ritz::format {

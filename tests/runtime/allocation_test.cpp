@@ -1,7 +1,7 @@
 // What runs in a step asks for no memory.
 #include <gtest/gtest.h>
 
-#include "ritz/base/aligned.hpp"
+#include "ritz/base/simd.hpp"
 #include "ritz/runtime/reconstruction.hpp"
 #include "ritz/runtime/step.hpp"
 #include "runtime/nonlinear_support.hpp"

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "ritz/base/error.hpp"
-#include "ritz/runtime/polynomial_batch.hpp"
+#include "ritz/runtime/polynomial_force.hpp"
 #include "support/sample_polynomial.hpp"
 
 namespace ritz::runtime {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "ritz/runtime/step_derivative.hpp"
+#include "ritz/runtime/step.hpp"
 #include "runtime/nonlinear_support.hpp"
 
 namespace ritz::runtime {

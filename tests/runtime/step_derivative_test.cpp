@@ -1,5 +1,5 @@
 // The derivative of a step against differences of steps, for every integrator and every part of the equation.
-#include "ritz/runtime/step_derivative.hpp"
+#include "ritz/runtime/step.hpp"
 
 #include <gtest/gtest.h>
 

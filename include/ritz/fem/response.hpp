@@ -1,6 +1,6 @@
 // The stored energy, internal force and tangent stiffness of one cell, at any displacement and for any law.
 #pragma once
-#include "ritz/fem/integration_points.hpp"
+#include "ritz/fem/element.hpp"
 #include "ritz/fem/material.hpp"
 
 namespace ritz::fem {

@@ -1,4 +1,5 @@
-// A file that takes its final name only when it is complete.
+// A file that takes its final name only when it is complete; the names of files beside an output; and, in words for the
+// user, why a file could not be written.
 #pragma once
 #include <cstddef>
 #include <filesystem>
@@ -7,6 +8,22 @@
 #include <string_view>
 
 namespace ritz::files {
+
+/// What `error`, a value of errno, means: "the disk is full", "the name is too long". For 0, an unknown error: "is the
+/// disk full?".
+std::string why(int error);
+
+/// Throws "cannot write WHAT: WHY; what to do", where WHAT is usually a path: InputError where another name or folder
+/// would help (no such folder, no permission, a name too long), else NumericalError (a full disk, a quota, a limit).
+[[noreturn]] void fail_to_write(const std::string& what, int error);
+
+/// The folder of a file, "." if its path names none.
+std::filesystem::path folder_of(const std::filesystem::path& file);
+
+/// The path of the table `name` of the run that writes `output`: part.h5 -> part.NAME.csv in the same folder, so that
+/// runs with different outputs share no files. Beside the default outputs model.h5, motion.h5 and full.h5 it is
+/// NAME.csv.
+std::filesystem::path table_beside(const std::filesystem::path& output, std::string_view name);
 
 /// Why `path` cannot be the name of a new file: "is a folder", "is a device", "is a symbolic link", "is a named pipe"
 /// or "is a socket"; empty if there is a regular file or nothing. A link is refused, as following it and replacing it

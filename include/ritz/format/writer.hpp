@@ -25,6 +25,17 @@ struct Access {
   std::function<Vote(bool)> vote;
 };
 
+#ifdef H5_HAVE_PARALLEL
+/// The two property lists of Access for the ranks of `comm`, where HDF5 was built with MPI. They must outlive the
+/// writer.
+struct ParallelLists {
+  Properties file;      ///< of the file, which all ranks open
+  Properties transfer;  ///< of the datasets, which all ranks write in one collective call
+
+  explicit ParallelLists(MPI_Comm comm);
+};
+#endif
+
 /// Writes a part file beside the final path and renames it on commit, so that half a model never has the final name.
 /// Every member and every write_* function is *Collective*: all ranks call it in the same order, and a failure on one
 /// rank is thrown on all.

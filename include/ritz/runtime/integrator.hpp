@@ -128,4 +128,7 @@ enum class StepKind : unsigned char { first, later };
 OscillatorStep oscillator_step(const Integrator& integrator, StepKind kind, double stiffness, double damping,
                                double dt);
 
+/// Throws InputError when a step of `dt` seconds of an explicit integrator is unstable for the frequency ω, rad/s.
+void refuse_unstable(const Integrator& integrator, double omega, double dt);
+
 }  // namespace ritz::runtime

@@ -6,8 +6,11 @@
 // H3 and H4 are computed from the coefficients with i ≤ j ≤ k ≤ l alone, with three products for each; after that,
 // force and energy cost almost nothing. The coefficients are stored in the order in which this pass reads them, a
 // vector register at a time.
+//
+// Many bodies of one kind can be evaluated at once: the coefficients are read once for as many bodies as a vector
+// register holds numbers.
 #pragma once
-#include "ritz/base/aligned.hpp"
+#include "ritz/base/simd.hpp"
 #include "ritz/model/model.hpp"
 #include "ritz/runtime/vector.hpp"
 
@@ -47,5 +50,25 @@ Evaluation<Scalar> make_evaluation(const PolynomialForce<Scalar>& force);
 /// either.
 template <class Scalar>
 void evaluate(const PolynomialForce<Scalar>& force, const VectorRef<Scalar>& z, Evaluation<Scalar>& result);
+
+/// The result of an evaluation for m bodies, and its work arrays; every thread needs its own.
+template <class Scalar>
+struct BatchEvaluation {
+  Vector<Scalar> energy;    ///< Ẽ of each body, J, m numbers
+  Matrix<Scalar> force;     ///< f̃ of each body, r x m
+  Matrix<Scalar> tangents;  ///< K̃ of all bodies side by side, r x r m
+  Matrix<Scalar> tangent;   ///< work array, as those below
+  Vector<Scalar> sums;
+  AlignedVector<Scalar> points, room, result;
+};
+
+/// Allocates the result of evaluate_batch for m = `instances` bodies.
+template <class Scalar>
+BatchEvaluation<Scalar> make_batch_evaluation(const PolynomialForce<Scalar>& forces, Eigen::Index instances);
+
+/// Evaluates Ẽ, f̃ and K̃ at each column of z, r x m, with the m that `result` was made for. Does not allocate.
+template <class Scalar>
+void evaluate_batch(const PolynomialForce<Scalar>& forces,
+                    const Eigen::Ref<const Matrix<std::type_identity_t<Scalar>>>& z, BatchEvaluation<Scalar>& result);
 
 }  // namespace ritz::runtime

@@ -1,8 +1,13 @@
-// The consistent mass matrix of one cell.
+// The stiffness matrix of one cell at rest, and its consistent mass matrix.
 #pragma once
+#include "ritz/fem/law.hpp"
 #include "ritz/fem/types.hpp"
 
 namespace ritz::fem {
+
+/// K = ∫ ∂²W/∂u² at u = 0, by the element's rule, N/m, exactly symmetric. Its blocks are K_ab = λ P + μ Pᵀ + μ tr(P) I
+/// with P = ∫ ∇N_a ∇N_bᵀ. `x` are the vertices, 3 x vertices, m. Allocates nothing.
+CellMatrix stiffness(CellType type, const CellVectors& x, const ElasticConstants& material);
 
 /// The exact scalar consistent mass M_s, vertices x vertices, kg: M_ab = ∫ ρ N_a N_b. The mass matrix of the cell is
 /// M_s ⊗ I₃. `x` are the vertices, 3 x vertices, m; `density` is in kg/m³. Exactly symmetric; positive definite if det
