@@ -1,6 +1,7 @@
-// Typed access to a parsed TOML file; every error names file and line.
+// Typed access to a TOML file, and a check before it is parsed; every error names file and line.
 #pragma once
 #include <toml++/toml.h>
+
 #include <initializer_list>
 #include <optional>
 #include <string>
@@ -10,6 +11,10 @@
 #include "ritz/scene/scene.hpp"
 
 namespace ritz::scene {
+
+/// Throws InputError, with file and line, when a key or a table heading of the TOML text has more parts than any key of
+/// a scene needs. The parser itself limits nested arrays and inline tables.
+void refuse_deep_keys(const std::string& text, const std::string& file);
 
 /// A value of the file and its name in messages, such as "step of [time]".
 struct Entry {

@@ -3,7 +3,6 @@
 #include <fstream>
 #include <sstream>
 
-#include "deep_keys.hpp"
 #include "entry.hpp"
 #include "read.hpp"
 #include "ritz/base/error.hpp"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <ostream>
 
-#include "inspect_body.hpp"
 #include "inspect_text.hpp"
 #include "ritz/base/printable.hpp"
 #include "ritz/base/shown.hpp"

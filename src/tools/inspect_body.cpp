@@ -1,4 +1,4 @@
-#include "inspect_body.hpp"
+#include "inspect.hpp"
 
 #include <algorithm>
 #include <map>

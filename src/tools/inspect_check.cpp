@@ -1,4 +1,4 @@
-#include "inspect_check.hpp"
+#include "inspect.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -7,6 +7,7 @@
 #include "inspect_text.hpp"
 #include "ritz/base/printable.hpp"
 #include "ritz/base/shown.hpp"
+#include "ritz/format/reader.hpp"
 #include "ritz/format/sound.hpp"
 
 namespace ritz::tools {

@@ -1,9 +1,8 @@
-#include "inspect_summary.hpp"
+#include "inspect.hpp"
 
 #include <map>
 #include <utility>
 
-#include "inspect_body.hpp"
 #include "ritz/files/part_file.hpp"
 #include "ritz/files/summary.hpp"
 #include "ritz/format/names.hpp"

@@ -6,8 +6,6 @@
 
 #include "command_line.hpp"
 #include "inspect.hpp"
-#include "inspect_check.hpp"
-#include "inspect_summary.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/base/printable.hpp"
 #include "ritz/files/interruption.hpp"

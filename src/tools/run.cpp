@@ -8,7 +8,6 @@
 #include <ostream>
 #include <utility>
 
-#include "inside_out.hpp"
 #include "progress.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/base/shown.hpp"
@@ -22,8 +21,7 @@
 #include "ritz/world/loads.hpp"
 #include "run_body.hpp"
 #include "run_recorder.hpp"
-#include "run_summary.hpp"
-#include "run_text.hpp"
+#include "run_report.hpp"
 
 namespace ritz::tools {
 namespace {

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <map>
+#include <span>
 #include <utility>
 
 #include "ritz/base/error.hpp"
 #include "ritz/base/printable.hpp"
+#include "ritz/fem/geometry.hpp"
 #include "ritz/format/sound.hpp"
 #include "ritz/world/rigid_motions.hpp"
 
@@ -104,6 +106,30 @@ model::Body read_mode(const format::ModelReader& in, std::int64_t index) {
   body.basis = format::read_basis(in, {.columns = {{index}}, .vertices = {}}, body.name);
   format::check_witnesses(in, body);
   return body;
+}
+
+namespace {
+
+fem::CellVectors gathered(const model::Points& rows, std::span<const std::int64_t> vertices) {
+  fem::CellVectors x(3, static_cast<int>(vertices.size()));
+  for (int a = 0; a < x.cols(); ++a) x.col(a) = rows.row(vertices[static_cast<std::size_t>(a)]);
+  return x;
+}
+
+}  // namespace
+
+std::int64_t inside_out(const model::Geometry& geometry, const model::Points& displacement) {
+  const auto& cells = geometry.cells;
+  std::int64_t count = 0;
+  for (std::size_t c = 0; c < cells.vtk_types.size(); ++c) {
+    const auto type = fem::cell_of_vtk(cells.vtk_types[c]);
+    if (!type) continue;
+    const auto vertices =
+        std::span(cells.vertices)
+            .subspan(static_cast<std::size_t>(cells.offsets[c]), static_cast<std::size_t>(fem::shape(*type).vertices));
+    count += fem::turned_inside_out(*type, gathered(geometry.points, vertices), gathered(displacement, vertices));
+  }
+  return count;
 }
 
 }  // namespace ritz::tools

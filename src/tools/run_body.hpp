@@ -1,5 +1,7 @@
-// The bodies that a run moves, and the parts of their models that it uses, and no others.
+// The bodies that a run moves, with the parts of their models that it uses and no others; and whether a displaced mesh
+// is still one that could be.
 #pragma once
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -8,7 +10,7 @@
 #include "ritz/format/parts.hpp"
 #include "ritz/model/model.hpp"
 #include "ritz/scene/scene.hpp"
-#include "run_options.hpp"
+#include "run.hpp"
 
 namespace ritz::tools {
 
@@ -38,5 +40,9 @@ void read_bodies(std::vector<RunBody>& bodies, const scene::Scene& scene, Frames
 
 /// What it takes to draw mode `index` (from 0): geometry, modes, and U with that column alone.
 model::Body read_mode(const format::ModelReader& in, std::int64_t index);
+
+/// How many cells the displacements (n x 3, m) turn inside out: det(I + ∇u) <= 0 at a point of the element's rule.
+/// Faces, which stand for cells where only the surface is stored, are not counted.
+std::int64_t inside_out(const model::Geometry& geometry, const model::Points& displacement);
 
 }  // namespace ritz::tools

@@ -1,4 +1,4 @@
-#include "run_options.hpp"
+#include "run.hpp"
 
 #include <CLI/CLI.hpp>
 

@@ -7,7 +7,6 @@
 #include "ritz/base/error.hpp"
 #include "ritz/format/parts.hpp"
 #include "ritz/tools/inspect.hpp"
-#include "ritz/tools/inspect_check.hpp"
 #include "ritz/tools/run_body.hpp"
 
 namespace ritz::fuzz {

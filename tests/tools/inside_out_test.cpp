@@ -1,5 +1,5 @@
 // Cells that a motion turns inside out are counted, and named when a run ends.
-#include "ritz/tools/inside_out.hpp"
+#include "ritz/tools/run_body.hpp"
 
 #include <gmock/gmock.h>
 

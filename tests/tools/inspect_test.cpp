@@ -12,7 +12,6 @@
 #include "format/temporary.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/format/parts.hpp"
-#include "ritz/tools/inspect_check.hpp"
 #include "ritz/tools/inspect_text.hpp"
 #include "support/nonlinear_sample_model.hpp"
 

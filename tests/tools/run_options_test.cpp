@@ -1,4 +1,4 @@
-#include "ritz/tools/run_options.hpp"
+#include "ritz/tools/run.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,10 +1,16 @@
-// What ritz-run says of a run: sentences for people, with what to do.
+// What ritz-run says of a run: sentences for people, with what to do, and numbers (--summary FILE.json, described in
+// docs/summary.md).
 #pragma once
+#include <cstdint>
+#include <span>
 #include <string>
+#include <vector>
 
+#include "ritz/files/json.hpp"
 #include "ritz/scene/scene.hpp"
 #include "ritz/world/rigid_motions.hpp"
 #include "ritz/world/run.hpp"
+#include "run.hpp"
 #include "run_body.hpp"
 
 namespace ritz::tools {
@@ -23,5 +29,23 @@ std::string balance_line(const world::EnergyBalance& balance);
 
 /// A sentence that names integrators which hold the energy.
 std::string warning(const world::EnergyGain& gain, const std::string& integrator);
+
+/// What came of a body.
+struct BodyResult {
+  const RunBody& body;
+  const world::RunResult& result;
+  std::filesystem::path output;
+  std::int64_t inverted_cells = 0;  ///< at the end, of the cells that frames show
+};
+
+struct Summarised {
+  const RunOptions& options;
+  const scene::Scene& scene;
+  std::span<const BodyResult> bodies;
+  std::int64_t frames = 0;
+  const std::vector<std::string>& warnings;
+};
+
+files::Json summary(const Summarised& run);
 
 }  // namespace ritz::tools
