@@ -8,8 +8,8 @@
 #include "ritz/algebra/session.hpp"
 #include "ritz/mesh/halo.hpp"
 #include "ritz/mesh/read.hpp"
-#include "ritz/stages/derivative_loads.hpp"
-#include "ritz/stages/fixed_vectors.hpp"
+#include "ritz/stages/canonical.hpp"
+#include "ritz/stages/derivatives.hpp"
 #include "ritz/stages/reduce_polynomial.hpp"
 
 namespace {

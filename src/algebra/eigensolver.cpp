@@ -7,8 +7,8 @@
 
 #include "ritz/algebra/check.hpp"
 #include "ritz/algebra/csr.hpp"
+#include "ritz/algebra/factorization.hpp"
 #include "ritz/algebra/handle.hpp"
-#include "ritz/algebra/mumps.hpp"
 
 namespace ritz::algebra {
 namespace {

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "ritz/algebra/handle.hpp"
+#include "ritz/algebra/multivector.hpp"
 
 namespace ritz::algebra {
 
@@ -20,5 +21,9 @@ enum class Pattern { same, subset };
 /// A += factor B.
 void add(const Matrix& A, double factor, const Matrix& B, Pattern pattern);
 Matrix copy(const Matrix& A);
+
+/// *Collective*. x = A⁻¹ b for a well-conditioned positive definite A, such as a mass matrix, by CG with its diagonal
+/// as preconditioner, to rounding errors. Throws NumericalError when it does not converge.
+Tall solve_mass(Mat A, const ConstTallRef& b);
 
 }  // namespace ritz::algebra

@@ -5,9 +5,9 @@
 
 #include "ritz/algebra/check.hpp"
 #include "ritz/algebra/csr.hpp"
+#include "ritz/algebra/factorization.hpp"
 #include "ritz/algebra/handle.hpp"
 #include "ritz/algebra/multigrid.hpp"
-#include "ritz/algebra/mumps.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/parallel/comm.hpp"
 

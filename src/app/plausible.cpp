@@ -6,7 +6,7 @@
 
 #include "ritz/base/shown.hpp"
 #include "ritz/fem/geometry.hpp"
-#include "ritz/mesh/bounding_box.hpp"
+#include "ritz/mesh/mesh.hpp"
 #include "ritz/mesh/units.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/stages/each_cell.hpp"

@@ -21,10 +21,9 @@
 #include "ritz/base/error.hpp"
 #include "ritz/base/shown.hpp"
 #include "ritz/parallel/guard.hpp"
-#include "ritz/stages/inertia.hpp"
 #include "ritz/stages/linear_cells.hpp"
+#include "ritz/stages/projection.hpp"
 #include "ritz/stages/rigid_modes.hpp"
-#include "ritz/stages/set_loads.hpp"
 
 namespace ritz::app {
 namespace {

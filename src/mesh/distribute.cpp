@@ -1,9 +1,9 @@
-#include "ritz/mesh/distribute.hpp"
+#include "ritz/mesh/part.hpp"
 
 #include <algorithm>
 #include <limits>
 
-#include "ritz/mesh/part.hpp"
+#include "ritz/mesh/topology.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/parallel/guard.hpp"
 

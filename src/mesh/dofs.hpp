@@ -6,7 +6,6 @@
 #include <variant>
 #include <vector>
 
-#include "ritz/mesh/bounding_box.hpp"
 #include "ritz/mesh/mesh.hpp"
 #include "ritz/mesh/rows.hpp"
 

@@ -110,4 +110,15 @@ struct Mesh {
 /// The local vertex numbers of a face, in the order of fem::face_vertices.
 std::vector<int> face_vertices(const Mesh& mesh, CellFace face);
 
+/// A box [low, high] of coordinates, m.
+struct Region3 {
+  Eigen::Vector3d low, high;
+
+  Eigen::Vector3d middle() const { return (low + high) / 2; }
+  Eigen::Vector3d size() const { return high - low; }
+};
+
+/// The smallest box that holds all vertices, to the last bit the same on any number of ranks. *Collective*.
+Region3 bounding_box(const Mesh& mesh);
+
 }  // namespace ritz::mesh

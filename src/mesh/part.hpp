@@ -1,6 +1,11 @@
-// One rank's part of a mesh by file positions, before local numbers exist. Both the distribution of a file and the
-// generator of boxes make it.
+// One rank's part of a mesh by file positions, before local numbers exist: made by the generator of boxes, or by
+// deciding which rank gets which cell and distributing the mesh from rank 0.
 #pragma once
+#include <mpi.h>
+
+#include <array>
+#include <vector>
+
 #include "ritz/mesh/mesh.hpp"
 
 namespace ritz::mesh {
@@ -53,5 +58,22 @@ Part receive_part(MPI_Comm comm, int from = 0);
 
 /// *Collective*. Copies the value of rank 0 to all ranks.
 void broadcast_shared(MPI_Comm comm, Shared& shared);
+
+enum class Partitioner { metis, ptscotch };
+
+/// *Collective*. Distributes the mesh of rank 0 (the argument of the other ranks is ignored) and returns the part of
+/// this rank.
+std::pair<Part, Shared> distribute(MPI_Comm comm, const FileMesh& mesh, Partitioner partitioner);
+
+/// Removes the vertices that no cell uses from the mesh and from its sets; returns their number.
+Index drop_unused_vertices(FileMesh& mesh);
+
+/// The rank of each cell, by METIS (serial, k-way) from the pairs of cells that share a face. Some ranks may get no
+/// cells.
+std::vector<std::int32_t> partition_metis(Index cells, const std::vector<std::array<Index, 2>>& neighbours, int ranks);
+
+/// *Collective*. The same by PT-Scotch on all ranks; rank 0 passes the graph and gets the result.
+std::vector<std::int32_t> partition_ptscotch(MPI_Comm comm, Index cells,
+                                             const std::vector<std::array<Index, 2>>& neighbours);
 
 }  // namespace ritz::mesh

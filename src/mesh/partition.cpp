@@ -1,4 +1,4 @@
-#include "ritz/mesh/distribute.hpp"
+#include "ritz/mesh/part.hpp"
 
 #include <metis.h>
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "ritz/base/error.hpp"
-#include "ritz/mesh/distribute.hpp"
 #include "ritz/mesh/quality.hpp"
 #include "ritz/parallel/guard.hpp"
 

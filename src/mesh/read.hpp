@@ -9,11 +9,10 @@
 
 #include "ritz/mesh/box.hpp"
 #include "ritz/mesh/mesh.hpp"
+#include "ritz/mesh/part.hpp"
 #include "ritz/mesh/units.hpp"
 
 namespace ritz::mesh {
-
-enum class Partitioner { metis, ptscotch };
 
 /// What to read or to generate, and how to distribute it.
 struct Source {

@@ -6,9 +6,9 @@
 #include "ritz/base/error.hpp"
 #include "ritz/base/shown.hpp"
 #include "ritz/fem/cell_matrices.hpp"
-#include "ritz/stages/block_rows.hpp"
 #include "ritz/stages/each_cell.hpp"
 #include "ritz/stages/rayleigh_ritz.hpp"
+#include "ritz/stages/sparsity.hpp"
 
 namespace ritz::stages {
 namespace {

@@ -7,7 +7,6 @@
 #include "ritz/base/error.hpp"
 #include "ritz/base/shown.hpp"
 #include "ritz/stages/canonical.hpp"
-#include "ritz/stages/fixed_vectors.hpp"
 #include "ritz/stages/rayleigh_ritz.hpp"
 
 namespace ritz::stages {
@@ -15,7 +14,7 @@ namespace {
 
 using Eigen::Index;
 
-constexpr std::uint64_t sign_stream = 3000, direction_stream = 3001;
+constexpr std::uint64_t basis_sign_stream = 3000, direction_stream = 3001;
 
 }  // namespace
 
@@ -67,7 +66,7 @@ void finish(const Problem& problem, const algebra::Tall& R, const algebra::Const
     throw NumericalError(
         "the basis lost " + std::to_string(directions.cols() - pairs.vectors.cols()) + " of its directions to rounding",
         Reason::directions_lost);
-  const auto W = fixed_vectors(mesh, dofs, largest_group(pairs.values), sign_stream);
+  const auto W = fixed_vectors(mesh, dofs, largest_group(pairs.values), basis_sign_stream);
   make_canonical(matrices.mass, pairs.values, W, pairs.vectors);
   const Eigen::MatrixXd gram =
       algebra::inner(mesh.comm, pairs.vectors, algebra::multiply(matrices.mass, pairs.vectors));

@@ -1,10 +1,17 @@
-// A unique choice of signs and of bases for repeated eigenvalues, independent of the solver and of the number of ranks.
+// What makes results independent of the solver and of the number of ranks: pseudo-random vectors that depend on the
+// vertex numbers of the mesh file alone, and with them a unique choice of signs and of bases for repeated eigenvalues.
 #pragma once
+#include <cstdint>
 #include <vector>
 
 #include "ritz/algebra/multivector.hpp"
+#include "ritz/mesh/dofs.hpp"
 
 namespace ritz::stages {
+
+/// Columns of numbers in [-1, 1), one for each free degree of freedom, the same on any number of ranks. They start
+/// iterations and determine signs.
+mesh::FreeRows fixed_vectors(const mesh::Mesh& mesh, const mesh::Dofs& dofs, int columns, std::uint64_t stream);
 
 inline constexpr double cluster_gap = 1e-6;  ///< relative; closer eigenvalues form one cluster, which is never split
 

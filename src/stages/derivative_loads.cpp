@@ -1,4 +1,4 @@
-#include "ritz/stages/derivative_loads.hpp"
+#include "ritz/stages/derivatives.hpp"
 
 #include "ritz/base/simd.hpp"
 #include "ritz/fem/element.hpp"

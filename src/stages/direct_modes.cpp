@@ -1,23 +1,18 @@
 #include <algorithm>
 
+#include "ritz/algebra/eigensolver.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/base/shown.hpp"
 #include "ritz/stages/block_lanczos.hpp"
+#include "ritz/stages/canonical.hpp"
 #include "ritz/stages/eigen_strategy.hpp"
-#include "ritz/stages/elastic_scale.hpp"
-#include "ritz/stages/fixed_vectors.hpp"
+#include "ritz/stages/rayleigh_ritz.hpp"
 
 namespace ritz::stages {
 namespace {
 
 constexpr std::uint64_t start_stream = 1000;
 constexpr int polishing_steps = 3;
-
-algebra::Tall joined(const algebra::Tall& a, const algebra::Tall& b) {
-  algebra::Tall both(a.rows(), a.cols() + b.cols());
-  both << a, b;
-  return both;
-}
 
 /// One step of subspace iteration and Rayleigh-Ritz at a time, until every residual meets its gate: removes what
 /// Lanczos left of the high modes.
@@ -52,14 +47,26 @@ Found find_direct(const EigenProblem& problem, int wanted, const algebra::Tall& 
   lanczos.tolerance = options.tolerance;
   const auto start = fixed_vectors(problem.body.mesh, problem.body.dofs, 3 * options.block, start_stream);
   const auto op = [&](const algebra::ConstTallRef& mx, algebra::TallRef y) { solver.solve(mx, y); };
-  const auto found = block_lanczos(problem.body.matrices.mass, op, joined(problem.rigid, known), start, lanczos,
+  const auto found = block_lanczos(problem.body.matrices.mass, op, side_by_side(problem.rigid, known), start, lanczos,
                                    [&](int done, int all) { progress("modes", double(done) / all); });
   if (!found.converged)
     throw NumericalError("the eigensolver (block Lanczos, tolerance " + shown(options.tolerance) +
                              ") did not find all " + std::to_string(wanted) + " modes",
                          Reason::modes_not_found);
   progress("polishing", 0);
-  return {polish(problem, joined(known, found.vectors), solver), found.iterations};
+  return {polish(problem, side_by_side(known, found.vectors), solver), found.iterations};
+}
+
+Found find_by_krylov_schur(const EigenProblem& problem, int wanted) {
+  auto pairs = algebra::krylov_schur(problem.body.matrices.stiffness, problem.body.matrices.mass, safe_shift(problem),
+                                     problem.rigid, wanted, 1e-12);
+  if (pairs.values.size() < wanted)
+    throw NumericalError("SLEPc's eigensolver converged to " + std::to_string(pairs.values.size()) + " of " +
+                             std::to_string(wanted) + " modes in " + std::to_string(pairs.iterations) + " iterations",
+                         Reason::foreign_solver_stopped);
+  return {rayleigh_ritz(problem.body.matrices.stiffness, problem.body.matrices.mass, problem.rigid,
+                        std::move(pairs.vectors)),
+          pairs.iterations};
 }
 
 }  // namespace ritz::stages

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "ritz/algebra/matrix.hpp"
-#include "ritz/algebra/solve_mass.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/base/shown.hpp"
 #include "ritz/stages/internal_force.hpp"

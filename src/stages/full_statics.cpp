@@ -5,7 +5,7 @@
 
 #include "ritz/base/error.hpp"
 #include "ritz/base/shown.hpp"
-#include "ritz/stages/fixed_vectors.hpp"
+#include "ritz/stages/canonical.hpp"
 #include "ritz/stages/rigid_modes.hpp"
 
 namespace ritz::stages {

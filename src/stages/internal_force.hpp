@@ -4,7 +4,7 @@
 
 #include "ritz/algebra/multivector.hpp"
 #include "ritz/stages/assemble.hpp"
-#include "ritz/stages/block_rows.hpp"
+#include "ritz/stages/sparsity.hpp"
 
 namespace ritz::stages {
 

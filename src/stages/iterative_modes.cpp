@@ -5,8 +5,8 @@
 #include "ritz/algebra/multigrid.hpp"
 #include "ritz/algebra/panel.hpp"
 #include "ritz/base/error.hpp"
+#include "ritz/stages/canonical.hpp"
 #include "ritz/stages/eigen_strategy.hpp"
-#include "ritz/stages/fixed_vectors.hpp"
 #include "ritz/stages/lobpcg.hpp"
 #include "ritz/stages/rigid_modes.hpp"
 

@@ -11,7 +11,6 @@
 #include "ritz/base/shown.hpp"
 #include "ritz/stages/canonical.hpp"
 #include "ritz/stages/eigen_strategy.hpp"
-#include "ritz/stages/fixed_vectors.hpp"
 #include "ritz/stages/internal_force.hpp"
 #include "ritz/stages/rigid_modes.hpp"
 

@@ -16,12 +16,6 @@ using Eigen::MatrixXd;
 constexpr double dependent = 1e-12;  ///< squared size of a direction that the others hold already
 constexpr int refreshing = 5;        ///< iterations between two clean-ups
 
-algebra::Tall joined(const algebra::ConstTallRef& a, const algebra::ConstTallRef& b) {
-  algebra::Tall both(a.rows(), a.cols() + b.cols());
-  both << a, b;
-  return both;
-}
-
 /// Coefficients of the next directions: the part of these columns of C that does not lie along the old X (the first
 /// rows), made orthonormal and orthogonal to all of C.
 MatrixXd directions(const MatrixXd& C, const std::vector<Index>& columns) {
@@ -38,7 +32,7 @@ MatrixXd directions(const MatrixXd& C, const std::vector<Index>& columns) {
 void refresh(const algebra::Matrix& M, const algebra::ConstTallRef& locked, algebra::Tall& X, algebra::Tall& P) {
   algebra::Tall x = X;
   if (algebra::orthonormalise(M, locked, x) == X.cols()) X = x;
-  P.conservativeResize(Eigen::NoChange, algebra::orthonormalise(M, joined(locked, X), P));
+  P.conservativeResize(Eigen::NoChange, algebra::orthonormalise(M, side_by_side(locked, X), P));
 }
 
 }  // namespace
@@ -71,9 +65,9 @@ LobpcgResult lobpcg(const algebra::Matrix& K, const algebra::Matrix& M, double n
     precondition(r.vectors(Eigen::all, active), W);
 
     if (result.iterations % refreshing == refreshing - 1) refresh(M, locked, x.vectors, P);
-    const algebra::Tall XP = joined(x.vectors, P);
-    W.conservativeResize(Eigen::NoChange, algebra::orthonormalise(M, joined(locked, XP), W));
-    const algebra::Tall S = joined(XP, W);
+    const algebra::Tall XP = side_by_side(x.vectors, P);
+    W.conservativeResize(Eigen::NoChange, algebra::orthonormalise(M, side_by_side(locked, XP), W));
+    const algebra::Tall S = side_by_side(XP, W);
     const MatrixXd G = algebra::inner(comm, S, algebra::multiply(K, S));
     const auto [values, vectors] = algebra::symmetric_eigen((G + G.transpose()) / 2);
     const Index kept = x.values.size();

@@ -1,8 +1,13 @@
-// Rayleigh-Ritz: the best eigenpairs in a subspace, and their residuals.
+// Rayleigh-Ritz: the best eigenpairs in a subspace, and their residuals; and with it the order of magnitude of a body's
+// lowest frequency, before anything is solved.
 #pragma once
 #include "ritz/algebra/multivector.hpp"
+#include "ritz/stages/assemble.hpp"
 
 namespace ritz::stages {
+
+/// The columns of a, then those of b.
+algebra::Tall side_by_side(const algebra::ConstTallRef& a, const algebra::ConstTallRef& b);
 
 struct RitzPairs {
   Eigen::VectorXd values;  ///< λ ascending
@@ -25,5 +30,9 @@ Residuals residuals(const algebra::Matrix& K, const algebra::Matrix& M, double n
 
 inline constexpr double residual_gate = 1e-8;  ///< bound of a relative residual ‖Kψ − λMψ‖ / (λ‖Mψ‖)
 inline constexpr double orthonormality_gate = 1e-12;  ///< bound of max |XᵀMX − I| for modes and for a basis
+
+/// *Collective*. An upper bound on the lowest elastic eigenvalue λ, rad²/s²: Rayleigh-Ritz over displacement fields
+/// that are cubic in the coordinates, orthogonal to the rigid motions `rigid` (M-orthonormal).
+double elastic_scale(const Problem& problem, mesh::FreeRef rigid);
 
 }  // namespace ritz::stages

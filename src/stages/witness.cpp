@@ -8,7 +8,7 @@
 #include "ritz/base/error.hpp"
 #include "ritz/base/random.hpp"
 #include "ritz/base/shown.hpp"
-#include "ritz/mesh/bounding_box.hpp"
+#include "ritz/mesh/mesh.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/runtime/polynomial_force.hpp"
 #include "ritz/stages/internal_force.hpp"

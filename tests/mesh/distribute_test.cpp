@@ -1,5 +1,5 @@
 // A mesh file cut into parts is the mesh that it was, however many ranks share it.
-#include "ritz/mesh/distribute.hpp"
+#include "ritz/mesh/part.hpp"
 
 #include <gtest/gtest.h>
 

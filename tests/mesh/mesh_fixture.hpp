@@ -2,8 +2,8 @@
 #pragma once
 #include <string>
 
-#include "ritz/mesh/distribute.hpp"
 #include "ritz/mesh/mesh.hpp"
+#include "ritz/mesh/part.hpp"
 #include "ritz/mesh/read.hpp"
 
 namespace ritz::mesh::testing {

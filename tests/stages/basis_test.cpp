@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "ritz/base/error.hpp"
-#include "ritz/stages/fixed_vectors.hpp"
+#include "ritz/stages/canonical.hpp"
 #include "support/dense_algebra.hpp"
 #include "support/reduction.hpp"
 

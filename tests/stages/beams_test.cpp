@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "ritz/stages/inertia.hpp"
+#include "ritz/stages/projection.hpp"
 #include "support/graded_block.hpp"
 #include "support/problem.hpp"
 

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "ritz/algebra/check.hpp"
-#include "ritz/algebra/solve_mass.hpp"
+#include "ritz/algebra/matrix.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/stages/full_loads.hpp"
 #include "support/full_runs.hpp"

@@ -1,7 +1,7 @@
 // Participation and effective masses: how much of the body's mass each mode carries in each direction.
 #include <gtest/gtest.h>
 
-#include "ritz/stages/inertia.hpp"
+#include "ritz/stages/projection.hpp"
 #include "support/problem.hpp"
 
 namespace ritz::test {

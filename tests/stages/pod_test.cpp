@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "ritz/stages/fixed_vectors.hpp"
+#include "ritz/stages/canonical.hpp"
 #include "support/dense_algebra.hpp"
 #include "support/reduction.hpp"
 

@@ -1,7 +1,7 @@
 // The incremental decomposition against a dense one of everything at once.
 #include <gtest/gtest.h>
 
-#include "ritz/stages/fixed_vectors.hpp"
+#include "ritz/stages/canonical.hpp"
 #include "support/dense_algebra.hpp"
 #include "support/reduction.hpp"
 

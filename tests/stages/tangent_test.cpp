@@ -1,7 +1,7 @@
 // The tangent stiffness of the full model against assemble's, against differences of forces, and against itself.
 #include <gtest/gtest.h>
 
-#include "ritz/stages/fixed_vectors.hpp"
+#include "ritz/stages/canonical.hpp"
 #include "ritz/stages/full_model.hpp"
 #include "support/problem.hpp"
 

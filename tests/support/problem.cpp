@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "ritz/algebra/factorization.hpp"
-#include "ritz/mesh/distribute.hpp"
+#include "ritz/mesh/part.hpp"
 #include "ritz/mesh/quality.hpp"
 #include "ritz/parallel/comm.hpp"
 

@@ -1,4 +1,4 @@
-#include "ritz/mesh/bounding_box.hpp"
+#include "ritz/mesh/mesh.hpp"
 
 #include <limits>
 
