@@ -1,8 +1,7 @@
 #include "ritz/app/earlier.hpp"
 
-#include "ritz/app/checksums.hpp"
+#include "ritz/app/provenance.hpp"
 #include "ritz/app/report.hpp"
-#include "ritz/app/resolved.hpp"
 #include "ritz/format/sound.hpp"
 #include "ritz/parallel/guard.hpp"
 

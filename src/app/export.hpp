@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "ritz/app/pending_file.hpp"
+#include "ritz/app/outputs.hpp"
 #include "ritz/config/config.hpp"
 #include "ritz/stages/assemble.hpp"
 

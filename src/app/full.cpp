@@ -1,15 +1,15 @@
-#include "ritz/app/full.hpp"
+#include "ritz/app/program.hpp"
 
 #include <algorithm>
 
-#include "ritz/app/checksums.hpp"
 #include "ritz/app/full_file.hpp"
 #include "ritz/app/full_recorder.hpp"
 #include "ritz/app/full_start.hpp"
-#include "ritz/app/full_summary.hpp"
 #include "ritz/app/outputs.hpp"
 #include "ritz/app/progress.hpp"
+#include "ritz/app/provenance.hpp"
 #include "ritz/app/resources.hpp"
+#include "ritz/app/summary.hpp"
 #include "ritz/app/warnings.hpp"
 #include "ritz/parallel/guard.hpp"
 #include "ritz/scene_file/room.hpp"

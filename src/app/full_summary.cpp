@@ -1,4 +1,4 @@
-#include "ritz/app/full_summary.hpp"
+#include "ritz/app/summary.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "ritz/app/reduce.hpp"
+#include "ritz/app/program.hpp"
 
 #include <algorithm>
 
@@ -9,13 +9,11 @@
 #include "ritz/app/full_start.hpp"
 #include "ritz/app/outputs.hpp"
 #include "ritz/app/plan.hpp"
-#include "ritz/app/plausible.hpp"
 #include "ritz/app/progress.hpp"
-#include "ritz/app/reduce_summary.hpp"
 #include "ritz/app/reduced_parts.hpp"
 #include "ritz/app/resources.hpp"
 #include "ritz/app/snapshots.hpp"
-#include "ritz/app/static_path.hpp"
+#include "ritz/app/summary.hpp"
 #include "ritz/app/warnings.hpp"
 #include "ritz/app/write_model.hpp"
 #include "ritz/base/error.hpp"

@@ -1,4 +1,4 @@
-#include "ritz/app/reduce_summary.hpp"
+#include "ritz/app/summary.hpp"
 
 #include "ritz/format/summaries.hpp"
 

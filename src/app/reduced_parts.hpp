@@ -5,10 +5,17 @@
 
 #include "ritz/app/progress.hpp"
 #include "ritz/config/config.hpp"
+#include "ritz/scene/scene.hpp"
 #include "ritz/stages/accurate_basis.hpp"
 #include "ritz/stages/witness.hpp"
 
 namespace ritz::app {
+
+/// *Collective*. Equilibria of the full model under a quarter, a half, three quarters and all of the scene's loads;
+/// nothing without a scene. Loads that vary in time are taken at their largest. Throws InputError, and NumericalError
+/// when the full model has no equilibrium.
+std::optional<stages::StaticPath> static_path(const config::Config& config, const std::optional<scene::Scene>& scene,
+                                              const stages::Problem& problem, Progress& progress);
 
 /// The requested error of a basis, and the basis that reaches it.
 struct Accuracy {

@@ -1,6 +1,5 @@
 // ritz-full: the unreduced nonlinear simulation, on any number of ranks.
-#include "ritz/app/full.hpp"
-#include "ritz/app/main_guard.hpp"
+#include "ritz/app/program.hpp"
 #include "ritz/config/advice.hpp"
 
 int main(int argc, char** argv) {

@@ -1,6 +1,5 @@
 // ritz-reduce: from a mesh to a reduced model, on any number of ranks.
-#include "ritz/app/main_guard.hpp"
-#include "ritz/app/reduce.hpp"
+#include "ritz/app/program.hpp"
 #include "ritz/config/advice.hpp"
 
 int main(int argc, char** argv) {

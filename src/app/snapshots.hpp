@@ -1,4 +1,4 @@
-// -snapshots: reads full displacement vectors from a file.
+// -snapshots: reads full displacement vectors from a file of NumPy or of HDF5.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -7,6 +7,15 @@
 #include "ritz/mesh/dofs.hpp"
 
 namespace ritz::app {
+
+/// Position and shape of a two-dimensional float64 array in C order.
+struct NpyArray {
+  std::int64_t first_byte = 0, rows = 0, columns = 0;
+};
+
+/// Reads the header. Throws an InputError that names the option, for a file that is not a .npy file, holds another kind
+/// of array, or is shorter or longer than its shape implies.
+NpyArray read_npy_header(const std::filesystem::path& file, const std::string& option);
 
 /// *Collective*. The snapshots of a file over free degrees of freedom, m, one column for each. The file is a .npy file
 /// of NumPy (float64, C order), or has a dataset /snapshots such as ritz-full writes. A snapshot is a row of 3n

@@ -1,7 +1,7 @@
 #include "ritz/app/summary.hpp"
 
-#include "ritz/app/plausible.hpp"
 #include "ritz/app/resources.hpp"
+#include "ritz/app/warnings.hpp"
 #include "ritz/files/summary.hpp"
 #include "ritz/format/summaries.hpp"
 #include "ritz/parallel/comm.hpp"

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 
-#include "ritz/app/checksums.hpp"
 #include "ritz/app/frequencies.hpp"
-#include "ritz/app/pending_file.hpp"
+#include "ritz/app/outputs.hpp"
+#include "ritz/app/provenance.hpp"
 #include "ritz/app/report.hpp"
-#include "ritz/app/resolved.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/base/version.hpp"
 #include "ritz/files/part_file.hpp"

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "ritz/config/given.hpp"
+#include "ritz/config/options.hpp"
 
 namespace ritz::config {
 

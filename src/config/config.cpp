@@ -5,8 +5,7 @@
 #include <sstream>
 
 #include "ritz/base/error.hpp"
-#include "ritz/config/database.hpp"
-#include "ritz/config/solvers.hpp"
+#include "ritz/config/solver_options.hpp"
 #include "ritz/config/supports.hpp"
 #include "ritz/stages/reduce_polynomial.hpp"
 

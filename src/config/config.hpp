@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "ritz/config/given.hpp"
+#include "ritz/config/options.hpp"
 #include "ritz/fem/material.hpp"
 #include "ritz/mesh/dofs.hpp"
 #include "ritz/mesh/read.hpp"

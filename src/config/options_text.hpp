@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ritz/config/given.hpp"
+#include "ritz/config/options.hpp"
 
 namespace ritz::config {
 

@@ -1,7 +1,7 @@
 // What is left out on purpose: types that call back into a program or an interpreter (shell, python), hypre's euclid
 // and smoothers (a file of the current folder), MUMPS's folder of factors and its Fortran units, viewers that draw,
 // connect or write binary files, and whatever asks for a search that ritz does not do.
-#include "ritz/config/solver_names.hpp"
+#include "ritz/config/solver_options.hpp"
 
 #include <array>
 

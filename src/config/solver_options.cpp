@@ -10,7 +10,6 @@
 #include "ritz/base/error.hpp"
 #include "ritz/base/nearest.hpp"
 #include "ritz/base/printable.hpp"
-#include "ritz/config/solver_names.hpp"
 
 namespace ritz::config {
 namespace {

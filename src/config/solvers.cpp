@@ -1,4 +1,4 @@
-#include "ritz/config/solvers.hpp"
+#include "ritz/config/solver_options.hpp"
 
 #include <algorithm>
 
@@ -9,7 +9,6 @@
 #include "ritz/base/nearest.hpp"
 #include "ritz/base/printable.hpp"
 #include "ritz/config/option_table.hpp"
-#include "ritz/config/solver_options.hpp"
 
 namespace ritz::config {
 namespace {

@@ -1,4 +1,4 @@
-#include "ritz/app/main_guard.hpp"
+#include "ritz/app/program.hpp"
 
 #include <cstdio>
 #include <new>

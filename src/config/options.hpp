@@ -1,14 +1,42 @@
-// Typed reading of options. Each error names the option.
+// The options of a run: as texts, wherever they were given, and read as typed values. Each error names the option.
 #pragma once
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "ritz/config/given.hpp"
-
 namespace ritz::config {
+
+/// The name of an option in small letters, in which names are compared.
+std::string small_letters(std::string name);
+
+/// An option, its name without the dash; an empty value means an option without a value.
+struct Option {
+  std::string name, value;
+};
+
+/// Holds each option once, and which of them were read. Names are not case-sensitive.
+class Given {
+ public:
+  void put(const Option& option);  ///< replaces an earlier value
+  void add(const Option& option);  ///< keeps an earlier value
+
+  /// The value of an option; from now on the option counts as read.
+  std::optional<std::string> read(const std::string& name);
+
+  /// The options that have not been read, by name.
+  std::vector<Option> unread() const;
+
+ private:
+  enum class State { unread, read };
+  struct Entry {
+    Option option;
+    State state = State::unread;
+  };
+  std::map<std::string, Entry> entries_;  ///< by the name in small letters
+};
 
 /// Reads options, and records the value of each, default or not.
 class Database {
