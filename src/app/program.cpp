@@ -7,7 +7,7 @@
 #include "ritz/algebra/session.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/base/printable.hpp"
-#include "ritz/base/version.hpp"
+#include "ritz/base/program.hpp"
 #include "ritz/config/command_line.hpp"
 #include "ritz/config/option_table.hpp"
 #include "ritz/files/interruption.hpp"

@@ -45,9 +45,9 @@ double since(std::chrono::steady_clock::time_point start) {
 
 }  // namespace
 
-Progress::Progress(MPI_Comm comm, config::Voice voice)
+Progress::Progress(MPI_Comm comm, Voice voice)
     : comm_(comm), terminal_(writes_to_terminal()), root_(parallel::rank(comm) == 0) {
-  speaks_ = root_ && voice == config::Voice::normal;
+  speaks_ = root_ && voice == Voice::normal;
 }
 
 Progress::Timer::Timer(Progress& p, const std::string& stage)

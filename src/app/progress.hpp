@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ritz/algebra/session.hpp"
+#include "ritz/base/program.hpp"
 #include "ritz/config/config.hpp"
 #include "ritz/model/model.hpp"
 
@@ -16,7 +17,7 @@ namespace ritz::app {
 /// Prints on rank 0 alone. Records the time of each stage for the report.
 class Progress {
  public:
-  Progress(MPI_Comm comm, config::Voice voice);
+  Progress(MPI_Comm comm, Voice voice);
 
   /// Runs one stage of the pipeline, and names it in -log_view, times it and announces it.
   template <class Work>

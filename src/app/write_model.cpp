@@ -7,7 +7,7 @@
 #include "ritz/app/provenance.hpp"
 #include "ritz/app/report.hpp"
 #include "ritz/base/error.hpp"
-#include "ritz/base/version.hpp"
+#include "ritz/base/program.hpp"
 #include "ritz/files/part_file.hpp"
 #include "ritz/format/writer.hpp"
 #include "ritz/parallel/comm.hpp"

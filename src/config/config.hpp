@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "ritz/base/program.hpp"
 #include "ritz/config/options.hpp"
 #include "ritz/fem/material.hpp"
 #include "ritz/mesh/dofs.hpp"
@@ -28,7 +29,6 @@ struct MaterialOptions {
 enum class Solver { automatic, direct, iterative };
 enum class StoredRows { all, surface };
 enum class Goal { model, plan };
-enum class Voice { normal, quiet };
 /// Whether the user gave the units of the mesh; if nobody did, they are SI by default.
 enum class UnitsOf { nobody, user };
 enum class Export { nothing, matrixmarket, petsc };

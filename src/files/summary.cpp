@@ -2,7 +2,7 @@
 
 #include <sys/resource.h>
 
-#include "ritz/base/version.hpp"
+#include "ritz/base/program.hpp"
 
 namespace ritz::files {
 

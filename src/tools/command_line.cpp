@@ -5,7 +5,7 @@
 
 #include "ritz/base/error.hpp"
 #include "ritz/base/nearest.hpp"
-#include "ritz/base/version.hpp"
+#include "ritz/base/program.hpp"
 
 namespace ritz::tools {
 namespace {

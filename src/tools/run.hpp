@@ -7,11 +7,11 @@
 #include <string>
 #include <variant>
 
+#include "ritz/base/program.hpp"
 #include "ritz/world/run.hpp"
 
 namespace ritz::tools {
 
-enum class Voice : unsigned char { normal, quiet };
 /// Which forces the body has: the polynomial's where the model has one, or those of small displacements.
 enum class Forces : unsigned char { stored, linear };
 
