@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "ritz/fem/cell.hpp"
 #include "ritz/mesh/mesh.hpp"
 
 namespace ritz::test {
@@ -22,8 +23,15 @@ std::vector<Hexahedron> grid(int nx, int ny, int nz);
 mesh::FileMesh lattice_mesh(const std::vector<Hexahedron>& hexahedra, fem::CellType type, const Map& map);
 
 /// The ends of a Tet10's edges and the vertex in the middle, by the cell's own numbers.
-inline constexpr std::array<std::array<std::size_t, 3>, 6> tet10_edges = {
-    {{0, 1, 4}, {1, 2, 5}, {2, 0, 6}, {0, 3, 7}, {1, 3, 8}, {2, 3, 9}}};
+inline constexpr auto tet10_edges = [] {
+  constexpr auto shape = fem::shape(fem::CellType::tet10);
+  std::array<std::array<std::size_t, 3>, shape.edges.size()> edges{};
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const auto [a, b] = shape.edges[e];
+    edges[e] = {static_cast<std::size_t>(a), static_cast<std::size_t>(b), static_cast<std::size_t>(shape.corners) + e};
+  }
+  return edges;
+}();
 
 /// Stretches the lattice box [0, n] to [0, lengths].
 Map stretched(const std::array<int, 3>& n, const Eigen::Vector3d& lengths);
