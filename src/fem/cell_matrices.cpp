@@ -21,6 +21,22 @@ RITZ_WIDE void add_outer_products(int n, double weight, const double* gradients,
     }
 }
 
+/// The blocks of the upper triangle: block(P) is what P = ∫ ∇N_a ∇N_bᵀ makes of vertices a and b.
+template <class Block>
+CellMatrix of_blocks(int n, const double* products, const Block& block) {
+  CellMatrix K(3 * n, 3 * n);
+  for (int b = 0; b < n; ++b)
+    for (int a = 0; a <= b; ++a) {
+      const double* from = products + 9 * n * b + a;
+      Matrix<3, 3> P;
+      for (int j = 0; j < 3; ++j)
+        for (int i = 0; i < 3; ++i) P(i, j) = from[(3 * j + i) * n];
+      K.block<3, 3>(3 * a, 3 * b) = block(P);
+    }
+  K.triangularView<Eigen::StrictlyLower>() = K.transpose();
+  return K;
+}
+
 }  // namespace
 
 CellMatrix stiffness(CellType type, const CellVectors& x, const ElasticConstants& material) {
@@ -30,18 +46,21 @@ CellMatrix stiffness(CellType type, const CellVectors& x, const ElasticConstants
   std::fill_n(products.data(), 9 * n * n, 0.0);
   for (int q = 0; q < points.count(); ++q) add_outer_products(n, points.weight(q), points.data(q), products.data());
 
-  const double lambda = material.lambda, mu = material.mu;
-  CellMatrix K(3 * n, 3 * n);
-  for (int b = 0; b < n; ++b)
-    for (int a = 0; a <= b; ++a) {
-      const double* from = products.data() + 9 * n * b + a;
-      const auto P = [&](int i, int j) { return from[(3 * j + i) * n]; };
-      const double trace = mu * (P(0, 0) + P(1, 1) + P(2, 2));
-      for (int j = 0; j < 3; ++j)
-        for (int i = 0; i < 3; ++i) K(3 * a + i, 3 * b + j) = lambda * P(i, j) + mu * P(j, i) + (i == j ? trace : 0);
-    }
-  K.triangularView<Eigen::StrictlyLower>() = K.transpose();
-  return K;
+  if (!material.moduli)
+    return of_blocks(n, products.data(), [&](const Matrix<3, 3>& P) -> Matrix<3, 3> {
+      Matrix<3, 3> block = material.lambda * P + material.mu * P.transpose();
+      block.diagonal().array() += material.mu * P.trace();
+      return block;
+    });
+  const Matrix<6, 6>& C = *material.moduli;
+  return of_blocks(n, products.data(), [&](const Matrix<3, 3>& P) -> Matrix<3, 3> {
+    Matrix<3, 3> block = Matrix<3, 3>::Zero();  // Σ_mn C_imjn P_mn
+    for (int m = 0; m < 3; ++m)
+      for (int n = 0; n < 3; ++n)
+        for (int j = 0; j < 3; ++j)
+          for (int i = 0; i < 3; ++i) block(i, j) += C(strain_component(i, m), strain_component(j, n)) * P(m, n);
+    return block;
+  });
 }
 
 namespace {

@@ -23,13 +23,38 @@ RITZ_WIDE void set_products(const double* B, double a, double b, double* moduli)
       for (int j = 0; j < 3; ++j) *to++ = a * B[k + 3 * l] * columns[j] + b * B[k + 3 * j] * columns[l];
 }
 
-RITZ_WIDE void add_products(const double* M, const double* S, double* moduli) {
+RITZ_WIDE void add_dyad_and_crossed(const double* B, double a, double b, double* moduli) {
+  Column columns[3];
+  load(B, columns);
+  Column* to = packs(moduli);
+  for (int l = 0; l < 3; ++l)
+    for (int k = 0; k < 3; ++k)
+      for (int j = 0; j < 3; ++j) *to++ += a * B[k + 3 * l] * columns[j] + b * B[k + 3 * j] * columns[l];
+}
+
+RITZ_WIDE void add_both_dyads(const double* X, const double* Y, double a, double* moduli) {
+  Column x[3], y[3];
+  load(X, x);
+  load(Y, y);
+  Column* to = packs(moduli);
+  for (int l = 0; l < 3; ++l)
+    for (int k = 0; k < 3; ++k)
+      for (int j = 0; j < 3; ++j) *to++ += a * Y[k + 3 * l] * x[j] + a * X[k + 3 * l] * y[j];
+}
+
+RITZ_WIDE void add_blocks(const double* M, const double* S, double* moduli) {
   Column columns[3];
   load(M, columns);
   Column* to = packs(moduli);
   for (int l = 0; l < 3; ++l)
     for (int k = 0; k < 3; ++k)
       for (int j = 0; j < 3; ++j) *to++ += S[j + 3 * l] * columns[k];
+}
+
+/// The bulk modulus and the shear modulus of Voigt's mean.
+std::array<double, 2> voigt(const Matrix<6, 6>& C) {
+  const double direct = C(0, 0) + C(1, 1) + C(2, 2), cross = C(0, 1) + C(1, 2) + C(2, 0);
+  return {(direct + 2 * cross) / 9, (direct - cross + 3 * (C(3, 3) + C(4, 4) + C(5, 5))) / 15};
 }
 
 }  // namespace
@@ -47,7 +72,42 @@ Moduli Moduli::unknown() {
 }
 
 void Moduli::add_product(const Matrix<3, 3>& M, const Matrix<3, 3>& S) {
-  add_products(M.data(), S.data(), numbers_.data());
+  add_blocks(M.data(), S.data(), numbers_.data());
+}
+
+void Moduli::add_products(const Matrix<3, 3>& B, double a, double b) {
+  add_dyad_and_crossed(B.data(), a, b, numbers_.data());
+}
+
+void Moduli::add_dyads(const Matrix<3, 3>& X, const Matrix<3, 3>& Y, double a) {
+  add_both_dyads(X.data(), Y.data(), a, numbers_.data());
+}
+
+ElasticConstants ElasticConstants::anisotropic(const Matrix<6, 6>& moduli) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  return {.lambda = none, .mu = none, .moduli = moduli};
+}
+
+double ElasticConstants::young() const {
+  if (!moduli) return mu * ((3 * lambda + 2 * mu) / (lambda + mu));  // squares may be beyond numbers
+  const auto [bulk, shear] = voigt(*moduli);
+  return shear * (9 * bulk / (3 * bulk + shear));
+}
+
+double ElasticConstants::poisson() const {
+  if (!moduli) return lambda / (2 * (lambda + mu));
+  const auto [bulk, shear] = voigt(*moduli);
+  return (3 * bulk - 2 * shear) / (2 * (3 * bulk + shear));
+}
+
+double ElasticConstants::stiffest() const { return moduli ? moduli->diagonal().head<3>().maxCoeff() : lambda + 2 * mu; }
+
+Matrix<6, 6> ElasticConstants::hooke() const {
+  if (moduli) return *moduli;
+  Matrix<6, 6> C = Matrix<6, 6>::Zero();
+  C.topLeftCorner<3, 3>().setConstant(lambda);
+  C.diagonal() << lambda + 2 * mu, lambda + 2 * mu, lambda + 2 * mu, mu, mu, mu;
+  return C;
 }
 
 double nonlinear_volume_change(const Matrix<3, 3>& G) {

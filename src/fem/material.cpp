@@ -1,6 +1,8 @@
 #include "ritz/fem/material.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace ritz::fem {
@@ -22,7 +24,33 @@ struct Laws<std::variant<L...>> {
     return law;
   }
 
+  static std::optional<AnyLaw> of_constants(std::string_view name, std::span<const double> given) {
+    std::optional<AnyLaw> law;
+    ((name == L::name ? void(law = of_list<L>(given)) : void()), ...);
+    return law;
+  }
+
+  static std::optional<std::string_view> constants(std::string_view name) {
+    std::optional<std::string_view> words;
+    ((name == L::name ? void(words = list_of<L>()) : void()), ...);
+    return words;
+  }
+
  private:
+  template <class One>
+  static std::optional<AnyLaw> of_list(std::span<const double> given) {
+    if constexpr (LawOfConstants<One>) {
+      if (const auto law = One::of_constants(given)) return AnyLaw{*law};
+    }
+    return std::nullopt;
+  }
+
+  template <class One>
+  static std::optional<std::string_view> list_of() {
+    if constexpr (LawOfConstants<One>) return One::constants;
+    else return std::nullopt;
+  }
+
   template <class One>
   static One make_one(const Value& value) {
     return [&]<std::size_t... i>(std::index_sequence<i...>) { return One{value(One::parameters[i])...}; }
@@ -34,6 +62,26 @@ template <class L>
 std::optional<int> degree(const L&) {
   if constexpr (PolynomialLaw<L>) return L::force_degree;
   else return std::nullopt;
+}
+
+ParameterValue must_be_positive(const char* words, const char* units, double value) {
+  return {{words, words, units, 0, std::numeric_limits<double>::infinity()}, value};
+}
+
+template <class L>
+std::optional<ParameterValue> unstable(const L&) {
+  return std::nullopt;
+}
+
+std::optional<ParameterValue> unstable(const Ogden& law) {
+  if (law.alpha1 == 0 || (law.mu2 != 0 && law.alpha2 == 0) || (law.mu3 != 0 && law.alpha3 == 0))
+    return must_be_positive("size of an exponent", "1", 0);
+  return std::nullopt;
+}
+
+std::optional<ParameterValue> unstable(const OrthotropicStVK& law) {
+  if (!(law.angle_of_axes() > 1e-6)) return must_be_positive("angle between the axes", "1", 0);
+  return std::nullopt;
 }
 
 }  // namespace
@@ -68,6 +116,26 @@ std::vector<ParameterValue> parameters(const AnyLaw& law) {
       },
       law);
 }
+
+std::optional<ParameterValue> unstable_at_rest(const AnyLaw& law) {
+  if (const auto found = std::visit([](const auto& any) { return unstable(any); }, law)) return found;
+  const auto rest = std::visit([](const auto& any) { return any.at_rest(); }, law);
+  if (!rest.moduli) {
+    if (!(rest.mu > 0)) return must_be_positive("shear modulus at rest", "Pa", rest.mu);
+    return std::nullopt;
+  }
+  const Vector<6> eigenvalues =
+      Eigen::SelfAdjointEigenSolver<Matrix<6, 6>>(*rest.moduli, Eigen::EigenvaluesOnly).eigenvalues();
+  if (!(eigenvalues[0] > 1e-13 * eigenvalues[5]))
+    return must_be_positive("smallest stiffness at rest", "Pa", eigenvalues[0]);
+  return std::nullopt;
+}
+
+std::optional<AnyLaw> law_of_constants(std::string_view name, std::span<const double> constants) {
+  return Laws<AnyLaw>::of_constants(name, constants);
+}
+
+std::optional<std::string_view> constants_of(std::string_view name) { return Laws<AnyLaw>::constants(name); }
 
 std::optional<int> force_degree(const Materials& materials) {
   int highest = 1;

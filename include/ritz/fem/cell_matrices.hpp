@@ -6,7 +6,8 @@
 namespace ritz::fem {
 
 /// K = ∫ ∂²W/∂u² at u = 0, by the element's rule, N/m, exactly symmetric. Its blocks are K_ab = λ P + μ Pᵀ + μ tr(P) I
-/// with P = ∫ ∇N_a ∇N_bᵀ. `x` are the vertices, 3 x vertices, m. Allocates nothing.
+/// with P = ∫ ∇N_a ∇N_bᵀ, and Σ_mn C_imjn P_mn of an anisotropic material. `x` are the vertices, 3 x vertices, m.
+/// Allocates nothing.
 CellMatrix stiffness(CellType type, const CellVectors& x, const ElasticConstants& material);
 
 /// The exact scalar consistent mass M_s, vertices x vertices, kg: M_ab = ∫ ρ N_a N_b. The mass matrix of the cell is

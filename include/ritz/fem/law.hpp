@@ -7,6 +7,8 @@
 #include <concepts>
 #include <cstddef>
 #include <limits>
+#include <optional>
+#include <span>
 
 #include "ritz/fem/types.hpp"
 
@@ -32,8 +34,13 @@ class Moduli {
   static Moduli unknown();
   /// Adds M_ik S_jl, with M and S symmetric.
   void add_product(const Matrix<3, 3>& M, const Matrix<3, 3>& S);
+  /// Adds a B_ij B_kl + b B_il B_kj.
+  void add_products(const Matrix<3, 3>& B, double a, double b);
+  /// Adds a (X_ij Y_kl + Y_ij X_kl).
+  void add_dyads(const Matrix<3, 3>& X, const Matrix<3, 3>& Y, double a);
 
   double operator()(int i, int j, int k, int l) const { return numbers_[static_cast<std::size_t>(place(j, k, l) + i)]; }
+  double& operator()(int i, int j, int k, int l) { return numbers_[static_cast<std::size_t>(place(j, k, l) + i)]; }
   /// The four numbers of j, k and l, aligned to 32 bytes; those of the next k or l follow as place() says.
   const double* data() const { return numbers_.data(); }
   static constexpr int place(int j, int k, int l) { return 4 * (9 * l + 3 * k + j); }
@@ -42,15 +49,28 @@ class Moduli {
   alignas(32) std::array<double, 108> numbers_;
 };
 
-/// An isotropic law near rest, given by Lamé's constants and Landau's three constants of third order, all in Pa:
-/// W = λ/2 tr²E + μ tr E² + A/3 tr E³ + B tr E tr E² + C/3 tr³E + O(E⁴), where E is the Green-Lagrange strain [Landau
-/// and Lifshitz, Theory of Elasticity, § 26]. Vibration modes depend on λ and μ, modal derivatives on all five.
+/// Where component ij of a symmetric tensor stands among xx yy zz xy yz zx.
+constexpr int strain_component(int i, int j) { return i == j ? i : i + j == 1 ? 3 : i + j == 3 ? 4 : 5; }
+
+/// A law near rest. An isotropic one is given by Lamé's constants and Landau's three constants of third order, all in
+/// Pa: W = λ/2 tr²E + μ tr E² + A/3 tr E³ + B tr E tr E² + C/3 tr³E + O(E⁴), where E is the Green-Lagrange strain
+/// [Landau and Lifshitz, Theory of Elasticity, § 26]. Vibration modes depend on λ and μ, modal derivatives on all five.
+/// For an anisotropic law W = ½ E : C : E + O(E⁴); λ and μ are NaN then, so that nothing can take them by mistake.
 struct ElasticConstants {
   double lambda, mu;
   double A = 0, B = 0, C = 0;
+  /// C where the law is anisotropic: the stress xx yy zz xy yz zx of the strain xx yy zz 2xy 2yz 2zx, Pa.
+  std::optional<Matrix<6, 6>> moduli = {};
 
-  double young() const { return mu * ((3 * lambda + 2 * mu) / (lambda + mu)); }  // squares may be beyond numbers
-  double poisson() const { return lambda / (2 * (lambda + mu)); }
+  static ElasticConstants anisotropic(const Matrix<6, 6>& moduli);
+
+  /// Young's modulus, Pa, and Poisson's ratio; of an anisotropic law those of its mean over all directions (Voigt's).
+  double young() const;
+  double poisson() const;
+  /// The largest modulus of a strain in one direction, λ + 2μ, Pa.
+  double stiffest() const;
+  /// C of either kind of law.
+  Matrix<6, 6> hooke() const;
   bool has_third_order() const { return A != 0 || B != 0 || C != 0; }
 };
 
@@ -73,6 +93,27 @@ inline constexpr Parameter young_modulus = {"young", "Young's modulus", "Pa", 0,
                                             std::numeric_limits<double>::infinity()};
 inline constexpr Parameter poisson_ratio = {"poisson", "Poisson's ratio", "1", -1, .5};
 
+/// A number without units that may be any.
+constexpr Parameter any_number(const char* name) {
+  return {name, name, "1", -std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+}
+/// A modulus that must be positive.
+constexpr Parameter positive_modulus(const char* name) {
+  return {name, name, "Pa", 0, std::numeric_limits<double>::infinity()};
+}
+/// A coefficient of an energy density, of either sign.
+constexpr Parameter energy_coefficient(const char* name) {
+  return {name, name, "Pa", -std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+}
+/// The D of an energy (J − 1)²/D.
+constexpr Parameter compressibility(const char* name) {
+  return {name, name, "1/Pa", 0, std::numeric_limits<double>::infinity()};
+}
+/// The D₂ or D₃ of a term (J − 1)⁴/D₂ or (J − 1)⁶/D₃, which is absent where it is zero.
+constexpr Parameter further_compressibility(const char* name) {
+  return {name, name, "1/Pa", -std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+}
+
 /// A law is a struct of its parameters, in the order of L::parameters, with these members. It must have no stress at
 /// rest: response(0) is zero.
 template <class L>
@@ -83,6 +124,14 @@ concept Law = requires(const L& law, const Matrix<3, 3>& G) {
   { law.response(G) } -> std::same_as<Response>;
   { law.moduli(G) } -> std::same_as<Moduli>;
   { law.at_rest() } -> std::same_as<ElasticConstants>;
+};
+
+/// A law whose parameters users give as a list, `-material_constants`: L::constants names them in their order, and
+/// L::of_constants makes the law of them, or nothing if their number is wrong.
+template <class L>
+concept LawOfConstants = Law<L> && requires(std::span<const double> given) {
+  { L::constants } -> std::convertible_to<const char*>;
+  { L::of_constants(given) } -> std::same_as<std::optional<L>>;
 };
 
 /// A law whose force is a polynomial in the displacement, of degree L::force_degree. It is required where a computation

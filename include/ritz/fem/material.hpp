@@ -9,12 +9,16 @@
 #include <variant>
 #include <vector>
 
+#include "ritz/fem/laws/isochoric.hpp"
 #include "ritz/fem/laws/neo_hookean.hpp"
+#include "ritz/fem/laws/orthotropic.hpp"
+#include "ritz/fem/laws/stretches.hpp"
 #include "ritz/fem/laws/stvk.hpp"
 
 namespace ritz::fem {
 
-using AnyLaw = std::variant<StVK, NeoHookean>;
+using AnyLaw = std::variant<StVK, NeoHookean, IsochoricNeoHookean, MooneyRivlin, Yeoh, ArrudaBoyce, Ogden, Hencky,
+                            Corotational, OrthotropicStVK>;
 
 /// The law of a material for which none is given.
 inline constexpr const char* default_law = StVK::name;
@@ -58,6 +62,16 @@ struct ParameterValue {
 
 /// The parameters of a law and their values.
 std::vector<ParameterValue> parameters(const AnyLaw& law);
+
+/// What of a law must be positive at rest and is not, although each of its parameters is possible: the shear modulus,
+/// the stiffness, an exponent, the angle between two axes. Nothing if there is no such.
+std::optional<ParameterValue> unstable_at_rest(const AnyLaw& law);
+
+/// The law of the constants that a user listed; nothing if it takes no list, or another number of them.
+std::optional<AnyLaw> law_of_constants(std::string_view name, std::span<const double> constants);
+
+/// What the constants of a law are called, in their order; nothing if the law is made of its parameters one by one.
+std::optional<std::string_view> constants_of(std::string_view name);
 
 /// The highest degree of the materials' forces as polynomials in the displacement (at least 1); nothing if one is not a
 /// polynomial.
