@@ -131,6 +131,16 @@ std::optional<ParameterValue> unstable_at_rest(const AnyLaw& law) {
   return std::nullopt;
 }
 
+AnyLaw to_si(const AnyLaw& law, double pressure) {
+  const auto values = parameters(law);
+  std::size_t next = 0;
+  return *make_law(name(law), [&](const Parameter& parameter) {
+    const std::string_view units = parameter.units;
+    const double value = values[next++].value;
+    return units == "Pa" ? value * pressure : units == "1/Pa" ? value / pressure : value;
+  });
+}
+
 std::optional<AnyLaw> law_of_constants(std::string_view name, std::span<const double> constants) {
   return Laws<AnyLaw>::of_constants(name, constants);
 }

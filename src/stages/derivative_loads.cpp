@@ -25,7 +25,7 @@ struct Point {
 struct Inner {
   int vertices;
   const double* gradients;  ///< weight ∇N_a, 3 a vertex
-  fem::ElasticConstants elastic;
+  const fem::ElasticConstants& elastic;
   int width;  ///< padded number of modes
   const double *G, *S;
 };
@@ -57,6 +57,17 @@ inline __attribute__((always_inline)) void add_third_order(const fem::ElasticCon
   }
 }
 
+/// Adds C of the strains q (xx yy zz 2xy 2yz 2zx), for a lane each, to P.
+template <class Lanes>
+inline __attribute__((always_inline)) void add_stress(const fem::Matrix<6, 6>& C, const Lanes (&q)[6], Lanes (&P)[9]) {
+  constexpr int place[9] = {0, 3, 5, 3, 1, 4, 5, 4, 2};  // row by row
+  for (int r = 0; r < 9; ++r)
+    for (int k = 0; k < 6; ++k) {
+      const double factor = C(place[r], k);
+      for (int l = 0; l < lanes; ++l) P[r][l] += factor * q[k][l];
+    }
+}
+
 /// Adds row i's pairs to `to`, 3 rows a vertex of the cell, `width` apart.
 RITZ_WIDE void add_row(const Inner& in, int i, double* to, int stride) {
   const int start = first_lane(i);
@@ -69,34 +80,38 @@ RITZ_WIDE void add_row(const Inner& in, int i, double* to, int stride) {
   for (int j = start; j < in.width; j += lanes) {
     const double *G = in.G + j, *S = in.S + j;
     const int w = in.width;
-    double P[9][lanes];
+    double P[9][lanes], q[6][lanes];  // q = G_iᵀ G_j, symmetrised; matrices are stored row by row
     for (int l = 0; l < lanes; ++l) {
       const double a[9] = {G[l],         G[w + l],     G[2 * w + l], G[3 * w + l], G[4 * w + l],
                            G[5 * w + l], G[6 * w + l], G[7 * w + l], G[8 * w + l]};
       const double t[6] = {S[l], S[w + l], S[2 * w + l], S[3 * w + l], S[4 * w + l], S[5 * w + l]};
-      // q = G_iᵀ G_j, symmetrised; matrices are stored row by row.
-      const double xx = g[0] * a[0] + g[3] * a[3] + g[6] * a[6], yy = g[1] * a[1] + g[4] * a[4] + g[7] * a[7],
-                   zz = g[2] * a[2] + g[5] * a[5] + g[8] * a[8];
-      const double xy = g[0] * a[1] + g[3] * a[4] + g[6] * a[7] + g[1] * a[0] + g[4] * a[3] + g[7] * a[6];
-      const double yz = g[1] * a[2] + g[4] * a[5] + g[7] * a[8] + g[2] * a[1] + g[5] * a[4] + g[8] * a[7];
-      const double zx = g[2] * a[0] + g[5] * a[3] + g[8] * a[6] + g[0] * a[2] + g[3] * a[5] + g[6] * a[8];
-      const double trace = lambda * (xx + yy + zz);
+      q[0][l] = g[0] * a[0] + g[3] * a[3] + g[6] * a[6];
+      q[1][l] = g[1] * a[1] + g[4] * a[4] + g[7] * a[7];
+      q[2][l] = g[2] * a[2] + g[5] * a[5] + g[8] * a[8];
+      q[3][l] = g[0] * a[1] + g[3] * a[4] + g[6] * a[7] + g[1] * a[0] + g[4] * a[3] + g[7] * a[6];
+      q[4][l] = g[1] * a[2] + g[4] * a[5] + g[7] * a[8] + g[2] * a[1] + g[5] * a[4] + g[8] * a[7];
+      q[5][l] = g[2] * a[0] + g[5] * a[3] + g[8] * a[6] + g[0] * a[2] + g[3] * a[5] + g[6] * a[8];
       for (int r = 0; r < 3; ++r) {
         const double *b = g + 3 * r, *c = a + 3 * r;
         P[3 * r][l] = b[0] * t[0] + b[1] * t[3] + b[2] * t[5] + c[0] * s[0] + c[1] * s[3] + c[2] * s[5];
         P[3 * r + 1][l] = b[0] * t[3] + b[1] * t[1] + b[2] * t[4] + c[0] * s[3] + c[1] * s[1] + c[2] * s[4];
         P[3 * r + 2][l] = b[0] * t[5] + b[1] * t[4] + b[2] * t[2] + c[0] * s[5] + c[1] * s[4] + c[2] * s[2];
       }
-      P[0][l] += trace + 2 * mu * xx;
-      P[4][l] += trace + 2 * mu * yy;
-      P[8][l] += trace + 2 * mu * zz;
-      P[1][l] += mu * xy;
-      P[3][l] += mu * xy;
-      P[5][l] += mu * yz;
-      P[7][l] += mu * yz;
-      P[2][l] += mu * zx;
-      P[6][l] += mu * zx;
     }
+    if (in.elastic.moduli) add_stress(*in.elastic.moduli, q, P);
+    else
+      for (int l = 0; l < lanes; ++l) {
+        const double trace = lambda * (q[0][l] + q[1][l] + q[2][l]);
+        P[0][l] += trace + 2 * mu * q[0][l];
+        P[4][l] += trace + 2 * mu * q[1][l];
+        P[8][l] += trace + 2 * mu * q[2][l];
+        P[1][l] += mu * q[3][l];
+        P[3][l] += mu * q[3][l];
+        P[5][l] += mu * q[4][l];
+        P[7][l] += mu * q[4][l];
+        P[2][l] += mu * q[5][l];
+        P[6][l] += mu * q[5][l];
+      }
     if (third_order)
       for (int l = 0; l < lanes; ++l) add_third_order(in.elastic, strain, G, w, l, P);
     for (int v = 0; v < in.vertices; ++v) {
@@ -124,7 +139,7 @@ struct Rows {
   int start(int i) const { return starts[static_cast<std::size_t>(i - first)]; }
 };
 
-void gradients_of(const fem::GradientsRef& shape, const Modal& u, double lambda, double mu, Point& point) {
+void gradients_of(const fem::GradientsRef& shape, const Modal& u, const fem::ElasticConstants& elastic, Point& point) {
   for (int c = 0; c < 3; ++c)
     for (int d = 0; d < 3; ++d) {
       auto row = point.G.row(3 * c + d);
@@ -132,11 +147,17 @@ void gradients_of(const fem::GradientsRef& shape, const Modal& u, double lambda,
       for (int a = 1; a < shape.rows(); ++a) row += shape(a, d) * u.row(3 * a + c);
     }
   const auto& G = point.G;
-  const Eigen::RowVectorXd trace = lambda * (G.row(0) + G.row(4) + G.row(8));
-  for (int c = 0; c < 3; ++c) point.S.row(c) = trace + 2 * mu * G.row(4 * c);
-  point.S.row(3) = mu * (G.row(1) + G.row(3));
-  point.S.row(4) = mu * (G.row(5) + G.row(7));
-  point.S.row(5) = mu * (G.row(2) + G.row(6));
+  if (elastic.moduli) {
+    Modal strain(6, G.cols());
+    strain << G.row(0), G.row(4), G.row(8), G.row(1) + G.row(3), G.row(5) + G.row(7), G.row(2) + G.row(6);
+    point.S.noalias() = *elastic.moduli * strain;
+    return;
+  }
+  const Eigen::RowVectorXd trace = elastic.lambda * (G.row(0) + G.row(4) + G.row(8));
+  for (int c = 0; c < 3; ++c) point.S.row(c) = trace + 2 * elastic.mu * G.row(4 * c);
+  point.S.row(3) = elastic.mu * (G.row(1) + G.row(3));
+  point.S.row(4) = elastic.mu * (G.row(5) + G.row(7));
+  point.S.row(5) = elastic.mu * (G.row(2) + G.row(6));
 }
 
 /// The sums of one cell for all rows: 3 rows a vertex.
@@ -151,7 +172,7 @@ void cell_sums(const Cell& cell, mesh::LocalRef local, const Rows& rows, Modal& 
   sums.topRows(mesh::components * vertices).setZero();
   for (int q = 0; q < points.count(); ++q) {
     const auto shape = points.gradients(q);
-    gradients_of(shape, u, elastic.lambda, elastic.mu, point);
+    gradients_of(shape, u, elastic, point);
     const fem::CellVectors weighted = -points.weight(q) * shape.transpose();
     const Inner inner{vertices,       weighted.data(), elastic, static_cast<int>(point.G.cols()),
                       point.G.data(), point.S.data()};

@@ -30,7 +30,7 @@ void add_rounding(const mesh::Mesh& mesh, const Cell& cell, const mesh::LocalRow
   for (int q = 0; q < points.count(); ++q) {
     const auto gradients = points.gradients(q);
     const double stretch = 1 + fem::Matrix<3, 3>(from_first.lazyProduct(gradients)).norm();
-    const double stress = epsilon * (elastic.lambda + 2 * elastic.mu) * stretch * stretch * largest * gradients.norm();
+    const double stress = epsilon * elastic.stiffest() * stretch * stretch * largest * gradients.norm();
     for (int a = 0; a < cell.count(); ++a)
       if (const int v = cell.vertex(a); v < mesh.owned)
         sums[v] += std::abs(points.weight(q)) * stress * gradients.row(a).norm();

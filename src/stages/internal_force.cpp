@@ -48,14 +48,13 @@ void add_tangent(const Target& to, const Cell& cell, const Eigen::VectorXd& weig
 /// Adds ∫ ε : C : ε of one cell for each column of `local` (3 rows a local vertex).
 void add_strain_energy(const Cell& cell, const mesh::LocalRows& local, Eigen::VectorXd& sums) {
   const fem::IntegrationPoints points(cell.type, cell.x);
-  const auto elastic = cell.material.at_rest();
-  const double lambda = elastic.lambda, mu = elastic.mu;
+  const fem::Matrix<6, 6> C = cell.material.at_rest().hooke();
   for (Eigen::Index j = 0; j < local.cols(); ++j) {
     const fem::CellVectors u = fem::relative(cell.gather(local, j));
     for (int q = 0; q < points.count(); ++q) {
       const Eigen::Matrix3d G = u.lazyProduct(points.gradients(q));
-      const Eigen::Matrix3d strain = (G + G.transpose()) / 2;
-      sums[j] += points.weight(q) * (lambda * strain.trace() * strain.trace() + 2 * mu * strain.squaredNorm());
+      const fem::Vector<6> strain(G(0, 0), G(1, 1), G(2, 2), G(0, 1) + G(1, 0), G(1, 2) + G(2, 1), G(2, 0) + G(0, 2));
+      sums[j] += points.weight(q) * strain.dot(C * strain);
     }
   }
 }

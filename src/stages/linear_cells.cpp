@@ -21,9 +21,10 @@ constexpr double bending_gate = .1, any_gate = .25, few_layers = 2.6;
 
 using Strain = fem::Vector<6>;  // xx yy zz, then xy yz zx of the tensor
 
-double twice_energy(const fem::ElasticConstants& m, const Strain& e) {
-  const double trace = e.head<3>().sum();
-  return m.lambda * trace * trace + 2 * m.mu * (e.head<3>().squaredNorm() + 2 * e.tail<3>().squaredNorm());
+double twice_energy(const fem::Matrix<6, 6>& C, const Strain& e) {
+  Strain doubled = e;
+  doubled.tail<3>() *= 2;
+  return doubled.dot(C * doubled);
 }
 
 Strain strain(const fem::CellVectors& u, const fem::GradientsRef& gradients) {
@@ -95,7 +96,7 @@ void add_errors(const Cell& cell, const mesh::LocalRows& local, const Recovered&
   const auto& element = fem::element(cell.type);
   const auto& rule = cell.type == fem::CellType::hex8 ? element.rule : element.mass_rule;
   const fem::IntegrationPoints points(rule, cell.x);
-  const auto elastic = cell.material.at_rest();
+  const fem::Matrix<6, 6> C = cell.material.at_rest().hooke();
   for (Index j = 0; j < local.cols(); ++j) {
     const fem::CellVectors u = cell.gather(local, j);
     fem::UpTo<6, fem::max_cell_vertices> corners(6, cell.count());
@@ -107,12 +108,12 @@ void add_errors(const Cell& cell, const mesh::LocalRows& local, const Recovered&
       const double weight = points.weight(q);
       const Strain smooth = corners.lazyProduct(N);
       volume += weight;
-      varying += weight * twice_energy(elastic, smooth - mean);
-      sums(0, j) += weight * twice_energy(elastic, smooth - strain(u, points.gradients(q)));
+      varying += weight * twice_energy(C, smooth - mean);
+      sums(0, j) += weight * twice_energy(C, smooth - strain(u, points.gradients(q)));
     }
     // A mean over a vertex's tetrahedra has lost as much of a strain that changes sign as makes this a fifth.
     sums(1, j) += (tetrahedron ? 5 : 1) * varying;
-    sums(2, j) += volume * twice_energy(elastic, mean);
+    sums(2, j) += volume * twice_energy(C, mean);
   }
 }
 

@@ -1,5 +1,6 @@
 #include "ritz/stages/reduce_polynomial.hpp"
 
+#include <Eigen/Cholesky>
 #include <cmath>
 
 #include "ritz/algebra/dense.hpp"
@@ -14,7 +15,7 @@ namespace {
 using Eigen::Index;
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-constexpr int strains = 6;
+constexpr int strains_count = 6;
 constexpr Index panel_columns = 192;  ///< strains that one `dsyrk` takes
 
 Index pair_count(Index r) { return r * (r + 1) / 2; }
@@ -22,42 +23,61 @@ Index pair_count(Index r) { return r * (r + 1) / 2; }
 /// The place of (i, j), i ≤ j, among the pairs in lexicographic order.
 Index pair(Index r, Index i, Index j) { return i * r - i * (i - 1) / 2 + (j - i); }
 
-/// Six rows of numbers a strain is made of, whose squares sum up to weight S : E: for the material's energy
-/// λ tr² + 2μ|E|², rows a E_ii + b tr with a = √(2μ), 3b² + 2ab = λ, and √(4μ) E_ij.
-struct Metric {
-  double direct, trace, shear;
+using StrainColumns = Eigen::Ref<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;  ///< six columns: xx yy zz 2xy 2yz 2zx
 
-  Metric(const fem::StVK& material, double weight) {
-    const double root = std::sqrt(weight), a = std::sqrt(2 * material.mu());
-    direct = root * a;
-    trace = root * (std::sqrt(a * a + 3 * material.lambda()) - a) / 3;
-    shear = root * std::sqrt(4 * material.mu());
+/// Makes of strains six numbers each, whose squares sum up to weight S : E.
+class Metric {
+ public:
+  Metric(const fem::ElasticConstants& law, double weight) : root_(std::sqrt(weight)) {
+    if (law.moduli) factor_ = law.moduli->llt().matrixU();
+    else isotropic_ = {law.lambda, law.mu};
   }
+
+  void apply(StrainColumns strains) const {
+    if (factor_) strains = (root_ * strains * factor_->transpose()).eval();
+    else apply_isotropic(strains);
+  }
+
+ private:
+  struct Isotropic {
+    double lambda, mu;
+  };
+
+  /// λ tr² + 2μ|E|² by a E_ii + b tr with a = √(2μ), 3b² + 2ab = λ, and √(4μ) E_ij: where λ is much larger than μ,
+  /// strains without a change of volume keep their digits.
+  void apply_isotropic(StrainColumns strains) const {
+    const double a = std::sqrt(2 * isotropic_.mu), b = (std::sqrt(a * a + 3 * isotropic_.lambda) - a) / 3;
+    for (Index row = 0; row < strains.rows(); ++row) {
+      const double trace = root_ * b * (strains(row, 0) + strains(row, 1) + strains(row, 2));
+      for (int c = 0; c < 3; ++c) strains(row, c) = root_ * a * strains(row, c) + trace;
+      for (int c = 3; c < strains_count; ++c) strains(row, c) *= root_ * std::sqrt(isotropic_.mu);
+    }
+  }
+
+  double root_;
+  Isotropic isotropic_{};
+  std::optional<fem::Matrix<6, 6>> factor_;
 };
 
-/// The strains Q_ij for j = i ... r-1 times the metric, into six columns `stride` apart. G: 9 x r, row by row.
+/// The strains Q_ij for j = i ... r-1, into six columns `stride` apart. G: 9 x r, row by row.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 __attribute__((target_clones("arch=x86-64-v3", "default")))
 #endif
-void fill_pairs(const double* G, Index r, Index i, double direct, double trace, double shear, double* to,
-                Index stride) {
+void fill_pairs(const double* G, Index r, Index i, double* to, Index stride) {
   double g[9];
   for (int k = 0; k < 9; ++k) g[k] = G[k * r + i];
   double *s0 = to, *s1 = s0 + stride, *s2 = s1 + stride, *s3 = s2 + stride, *s4 = s3 + stride, *s5 = s4 + stride;
-  const double half_shear = shear / 2;
 #pragma GCC ivdep
   for (Index j = i; j < r; ++j) {
     const double *a = G + j, *b = a + 3 * r, *c = b + 3 * r;
     const double ax = a[0], ay = a[r], az = a[2 * r], bx = b[0], by = b[r], bz = b[2 * r], cx = c[0], cy = c[r],
                  cz = c[2 * r];
-    const double xx = g[0] * ax + g[3] * bx + g[6] * cx, yy = g[1] * ay + g[4] * by + g[7] * cy,
-                 zz = g[2] * az + g[5] * bz + g[8] * cz, all = trace * (xx + yy + zz);
-    s0[j - i] = direct * xx + all;
-    s1[j - i] = direct * yy + all;
-    s2[j - i] = direct * zz + all;
-    s3[j - i] = half_shear * (g[0] * ay + g[3] * by + g[6] * cy + g[1] * ax + g[4] * bx + g[7] * cx);
-    s4[j - i] = half_shear * (g[1] * az + g[4] * bz + g[7] * cz + g[2] * ay + g[5] * by + g[8] * cy);
-    s5[j - i] = half_shear * (g[2] * ax + g[5] * bx + g[8] * cx + g[0] * az + g[3] * bz + g[6] * cz);
+    s0[j - i] = g[0] * ax + g[3] * bx + g[6] * cx;
+    s1[j - i] = g[1] * ay + g[4] * by + g[7] * cy;
+    s2[j - i] = g[2] * az + g[5] * bz + g[8] * cz;
+    s3[j - i] = g[0] * ay + g[3] * by + g[6] * cy + g[1] * ax + g[4] * bx + g[7] * cx;
+    s4[j - i] = g[1] * az + g[4] * bz + g[7] * cz + g[2] * ay + g[5] * by + g[8] * cy;
+    s5[j - i] = g[2] * ax + g[5] * bx + g[8] * cx + g[0] * az + g[3] * bz + g[6] * cz;
   }
 }
 
@@ -70,14 +90,15 @@ class Panel {
 
   /// `G`: 9 x r, displacement gradients of all columns, row by row.
   void add(const RowMajor& G, const Metric& metric) {
-    if (used_ + strains > panel_columns) flush();
-    fill_linear(G, metric);
+    if (used_ + strains_count > panel_columns) flush();
+    fill_linear(G);
     for (Index i = 0; i < r_; ++i) {
       const Index start = r_ + pair(r_, i, i);
-      fill_pairs(G.data(), r_, i, metric.direct, metric.trace, metric.shear, &strains_(start, used_), size(r_));
-      strains_.block(start, used_, 1, strains) /= 2;  // Q_ii = ½ G_iᵀG_i
+      fill_pairs(G.data(), r_, i, &strains_(start, used_), size(r_));
+      strains_.block(start, used_, 1, strains_count) /= 2;  // Q_ii = ½ G_iᵀG_i
     }
-    used_ += strains;
+    metric.apply(strains_.middleCols(used_, strains_count));
+    used_ += strains_count;
   }
 
   void flush() {
@@ -88,13 +109,12 @@ class Panel {
  private:
   static Index size(Index r) { return r + pair_count(r); }
 
-  void fill_linear(const RowMajor& G, const Metric& m) {
-    auto to = strains_.block(0, used_, r_, strains);
-    const Eigen::RowVectorXd trace = m.trace * (G.row(0) + G.row(4) + G.row(8));
-    for (int c = 0; c < 3; ++c) to.col(c) = (m.direct * G.row(4 * c) + trace).transpose();
-    to.col(3) = m.shear / 2 * (G.row(1) + G.row(3)).transpose();
-    to.col(4) = m.shear / 2 * (G.row(5) + G.row(7)).transpose();
-    to.col(5) = m.shear / 2 * (G.row(2) + G.row(6)).transpose();
+  void fill_linear(const RowMajor& G) {
+    auto to = strains_.block(0, used_, r_, strains_count);
+    for (int c = 0; c < 3; ++c) to.col(c) = G.row(4 * c).transpose();
+    to.col(3) = (G.row(1) + G.row(3)).transpose();
+    to.col(4) = (G.row(5) + G.row(7)).transpose();
+    to.col(5) = (G.row(2) + G.row(6)).transpose();
   }
 
   Index r_;
@@ -102,7 +122,7 @@ class Panel {
   Index used_ = 0;
 };
 
-void add_cell(const Cell& cell, const fem::StVK& law, const RowMajor& local, RowMajor& G, Panel& panel) {
+void add_cell(const Cell& cell, const fem::ElasticConstants& law, const RowMajor& local, RowMajor& G, Panel& panel) {
   const fem::IntegrationPoints points(cell.type, cell.x);
   for (int q = 0; q < points.count(); ++q) {
     const auto shape = points.gradients(q);
@@ -153,6 +173,13 @@ Eigen::VectorXd quartic(const Eigen::MatrixXd& gram, Index r) {
 }
 
 }  // namespace
+
+std::optional<PolynomialLaws> polynomial_laws(const fem::Materials& materials) {
+  if (!fem::force_degree(materials)) return std::nullopt;
+  PolynomialLaws laws;
+  for (const auto& material : materials) laws.push_back(material.at_rest());
+  return laws;
+}
 
 model::Polynomial reduce_polynomial(const Problem& problem, const PolynomialLaws& laws, mesh::VertexRef u) {
   const mesh::Mesh& mesh = problem.mesh;

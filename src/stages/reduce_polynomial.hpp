@@ -1,4 +1,5 @@
-// The reduced energy of St. Venant-Kirchhoff bodies as a polynomial (Sec. 3.1 of the notes).
+// The reduced energy of bodies with S = C : E (St. Venant-Kirchhoff, isotropic or not) as a polynomial (Sec. 3.1 of the
+// notes).
 #pragma once
 #include <optional>
 #include <vector>
@@ -11,13 +12,12 @@ namespace ritz::stages {
 /// The largest number of coordinates r of a polynomial: its quartic part then has 22 million coefficients.
 inline constexpr int most_coordinates = 150;
 
-/// The laws for which there is a polynomial, one for each region.
-using PolynomialLaws = std::vector<fem::StVK>;
+/// The laws of a polynomial, one for each region, by their constants at rest: S = C : E between the second
+/// Piola-Kirchhoff stress and the Green-Lagrange strain. Constants of third order do not enter.
+using PolynomialLaws = std::vector<fem::ElasticConstants>;
 
 /// The laws of all regions; nothing if the force of one of them is not a polynomial.
-inline std::optional<PolynomialLaws> polynomial_laws(const fem::Materials& materials) {
-  return fem::all_of<fem::StVK>(materials);
-}
+std::optional<PolynomialLaws> polynomial_laws(const fem::Materials& materials);
 
 /// *Collective*. All coefficients, exact for the quadrature rules of the elements. `u` is the basis over owned
 /// vertices, 3 rows for each.

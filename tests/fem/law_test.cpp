@@ -276,6 +276,14 @@ TEST(OrthotropicStVK, MayBeIsotropic) {
   EXPECT_NEAR(law.at_rest().stiffest(), same.at_rest().stiffest(), 1e-8);
 }
 
+// A law in MPa is the law in Pa; numbers without units stay.
+TYPED_TEST(Laws, KnowTheUnitsOfTheirParameters) {
+  const AnyLaw in_pascals = to_si(this->law, 1e6);
+  const Matrix<3, 3> G = .1 * random_matrix<3, 3>(7);
+  const auto stress = std::visit([&](const auto& law) { return law.response(G).stress; }, in_pascals);
+  EXPECT_LE((stress - 1e6 * this->stress(G)).norm(), 1e-14 * stress.norm());
+}
+
 // Constants that each are possible, but not together.
 TEST(UnstableAtRest, NamesTheModulusThatIsNotPositive) {
   EXPECT_FALSE(unstable_at_rest(StVK{1e6, .3}));
@@ -342,8 +350,6 @@ TEST(ForceDegree, IsThatOfAPolynomialLaw) {
   const Material stvk{StVK{1e6, .3}, 1000}, neo_hookean{NeoHookean{1e6, .3}, 1000};
   EXPECT_EQ(force_degree({stvk, stvk}), 3);
   EXPECT_EQ(force_degree({stvk, neo_hookean}), std::nullopt);
-  EXPECT_EQ(all_of<StVK>({stvk, stvk})->size(), 2u);
-  EXPECT_FALSE(all_of<StVK>({stvk, neo_hookean}));
   static_assert(PolynomialLaw<StVK> && Law<NeoHookean> && !PolynomialLaw<NeoHookean>);
 }
 

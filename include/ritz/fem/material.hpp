@@ -73,20 +73,11 @@ std::optional<AnyLaw> law_of_constants(std::string_view name, std::span<const do
 /// What the constants of a law are called, in their order; nothing if the law is made of its parameters one by one.
 std::optional<std::string_view> constants_of(std::string_view name);
 
+/// The law of constants in units of which one of stress is `pressure` Pa: the same law in SI.
+AnyLaw to_si(const AnyLaw& law, double pressure);
+
 /// The highest degree of the materials' forces as polynomials in the displacement (at least 1); nothing if one is not a
 /// polynomial.
 std::optional<int> force_degree(const Materials& materials);
-
-/// The laws of all materials as L, one for each region; nothing if one of them is another law.
-template <Law L>
-std::optional<std::vector<L>> all_of(const Materials& materials) {
-  std::vector<L> laws;
-  for (const auto& material : materials) {
-    const L* law = std::get_if<L>(&material.law);
-    if (!law) return std::nullopt;
-    laws.push_back(*law);
-  }
-  return laws;
-}
 
 }  // namespace ritz::fem
