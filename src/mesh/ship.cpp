@@ -138,14 +138,18 @@ void broadcast_shared(MPI_Comm comm, Shared& shared) {
   parallel::broadcast(comm, shared.set_names);
   parallel::broadcast(comm, shared.notes);
 
-  std::vector<std::string> names, unread_laws, unread_densities, parts;
+  std::vector<std::string> names, laws, unread_laws, unread_densities, parts;  // no law: an empty name
   std::vector<std::int64_t> overlaps;  // two a region: how its parts overlap, and how many there are
-  std::vector<double> materials, points;
+  std::vector<double> materials, law_values, points;
   std::vector<std::int64_t> joints;
   for (const auto& region : shared.regions) {
     names.push_back(region.name);
     for (const auto& constant : {region.material.young, region.material.poisson, region.material.density})
       materials.insert(materials.end(), {constant ? 1.0 : 0.0, constant.value_or(0)});
+    const auto& law = region.material.law;
+    laws.push_back(law ? fem::name(*law) : "");
+    if (law)
+      for (const auto& parameter : fem::parameters(*law)) law_values.push_back(parameter.value);
     unread_laws.push_back(region.material.unread_law);
     unread_densities.push_back(region.material.unread_density);
     parts.insert(parts.end(), region.parts.begin(), region.parts.end());
@@ -157,6 +161,8 @@ void broadcast_shared(MPI_Comm comm, Shared& shared) {
     packer(joint.pieces);
   }
   parallel::broadcast(comm, names);
+  parallel::broadcast(comm, laws);
+  parallel::broadcast(comm, law_values);
   parallel::broadcast(comm, unread_laws);
   parallel::broadcast(comm, unread_densities);
   parallel::broadcast(comm, parts);
@@ -167,6 +173,7 @@ void broadcast_shared(MPI_Comm comm, Shared& shared) {
   if (parallel::rank(comm) == 0) return;
 
   auto part = parts.begin();
+  auto law_value = law_values.begin();
   for (std::size_t r = 0; r < names.size(); ++r) {
     const auto constant = [&](std::size_t i) {
       const double* m = &materials[6 * r + 2 * i];
@@ -174,7 +181,9 @@ void broadcast_shared(MPI_Comm comm, Shared& shared) {
     };
     const auto end = part + overlaps[2 * r + 1];
     shared.regions.push_back({names[r],
-                              {constant(0), constant(1), constant(2), unread_laws[r], unread_densities[r]},
+                              {constant(0), constant(1), constant(2),
+                               fem::make_law(laws[r], [&](const fem::Parameter&) { return *law_value++; }),
+                               unread_laws[r], unread_densities[r]},
                               {part, end},
                               static_cast<Overlap>(overlaps[2 * r])});
     part = end;

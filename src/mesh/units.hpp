@@ -19,6 +19,7 @@ struct Units {
   readers::FileMaterial to_si(readers::FileMaterial m) const {
     if (m.young) *m.young *= pressure();
     if (m.density) *m.density *= density();
+    if (m.law) m.law = fem::to_si(*m.law, pressure());
     return m;
   }
 };

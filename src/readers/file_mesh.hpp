@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ritz/fem/cell.hpp"
+#include "ritz/fem/material.hpp"
 
 namespace ritz::readers {
 
@@ -16,8 +17,11 @@ using Index = std::int64_t;
 /// The material of a region in the file, in the file's units. Options give what is absent.
 struct FileMaterial {
   std::optional<double> young = {}, poisson = {}, density = {};
+  /// The law where it is another than the default one. One of young and poisson is given by them, so that options may
+  /// replace either.
+  std::optional<fem::AnyLaw> law = {};
   /// Not empty if the file has an elastic law that ritz does not read: "FILE:LINE: material law X is not supported".
-  /// This is no error if options give young and poisson.
+  /// This is no error if options give another law or its constants.
   std::string unread_law = {};
   /// The same for a density that ritz does not read, such as one that depends on temperature.
   std::string unread_density = {};

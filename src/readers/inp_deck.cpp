@@ -54,8 +54,8 @@ constexpr Flag flags[] = {{"NSET", "GENERATE"},         {"NSET", "UNSORTED"},  {
                           {"SOLIDSECTION", "COMPOSITE"}};
 
 // Of the others nothing hangs on whether a line is data.
-constexpr std::string_view with_data[] = {"NODE",    "ELEMENT", "NSET",    "ELSET",
-                                          "SURFACE", "ELASTIC", "DENSITY", "BOUNDARY"};
+constexpr std::string_view with_data[] = {"NODE",    "ELEMENT",      "NSET",        "ELSET",   "SURFACE",
+                                          "ELASTIC", "HYPERELASTIC", "ORIENTATION", "DENSITY", "BOUNDARY"};
 
 enum class Field { assignment, flag, data };
 

@@ -89,16 +89,24 @@ struct InpUnread {
 };
 
 struct InpMaterial {
-  std::optional<double> young;
-  std::optional<double> poisson;
-  std::optional<double> density;
+  std::optional<double> young = {};
+  std::optional<double> poisson = {};
+  std::optional<double> density = {};
+  std::optional<fem::AnyLaw> known_law = {};  ///< of *HYPERELASTIC, or of *ELASTIC that is orthotropic
   InpUnread law = {};
   InpUnread unread_density = {};
+};
+
+/// *ORIENTATION: two axes, as OrthotropicStVK has them, in the coordinates of the model.
+struct InpOrientation {
+  std::array<double, 6> axes = {};
+  InpUnread unread = {};
 };
 
 struct InpSection {
   std::string element_set;
   std::string material;
+  std::string orientation;  ///< its full name; empty if the section has none
   Place place;
 };
 
@@ -143,8 +151,9 @@ struct InpModel {
   InpSets node_sets;
   InpSets element_sets;
   std::vector<InpSurface> surfaces;
-  std::map<std::string, InpMaterial> materials;  ///< by name in capitals
-  std::string material;                          ///< the material that is being defined
+  std::map<std::string, InpMaterial> materials;        ///< by name in capitals
+  std::string material;                                ///< the material that is being defined
+  std::map<std::string, InpOrientation> orientations;  ///< by full name in capitals
   std::vector<InpSection> sections;
   std::vector<InpStructure> structures;  ///< sections of shells, beams, membranes
   std::vector<InpStructure> transforms;
@@ -175,6 +184,9 @@ std::string full_target(const Deck& deck, const Line& field, InpKind kind, const
 /// A point of a part where its instance has it: translated, then rotated.
 std::array<double, 3> placed(const InpScope& scope, const std::array<double, 3>& point);
 
+/// The *MATERIAL that is being defined; fails if there is none.
+InpMaterial& current_material(const Deck& deck, const Keyword& keyword, InpModel& model);
+
 /// One function for each keyword; it reads the data lines of the keyword into the model.
 void read_inp_part(Deck& deck, const Keyword& keyword, InpModel& model);
 void read_inp_assembly(Deck& deck, const Keyword& keyword, InpModel& model);
@@ -185,6 +197,8 @@ void read_inp_nset(Deck& deck, const Keyword& keyword, InpModel& model);
 void read_inp_elset(Deck& deck, const Keyword& keyword, InpModel& model);
 void read_inp_surface(Deck& deck, const Keyword& keyword, InpModel& model);
 void read_inp_material(Deck& deck, const Keyword& keyword, InpModel& model);
+void read_inp_hyperelastic(Deck& deck, const Keyword& keyword, InpModel& model);
+void read_inp_orientation(Deck& deck, const Keyword& keyword, InpModel& model);
 void read_inp_elastic(Deck& deck, const Keyword& keyword, InpModel& model);
 void read_inp_other_law(Deck& deck, const Keyword& keyword, InpModel& model);
 void read_inp_density(Deck& deck, const Keyword& keyword, InpModel& model);

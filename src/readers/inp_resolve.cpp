@@ -109,18 +109,47 @@ std::string said(const Sources& sources, const InpUnread& unread) {
   return unread.what.empty() ? std::string() : located(sources, unread.place) + unread.what;
 }
 
+/// `material` with a law of *HYPERELASTIC or of orthotropic *ELASTIC, whose axes the section's orientation turns.
+FileMaterial with_law(const Resolver& look, const InpSection& section, const fem::AnyLaw& law, FileMaterial material) {
+  material.law = law;
+  material.young = material.poisson = std::nullopt;
+  if (const auto* isochoric = std::get_if<fem::IsochoricNeoHookean>(&law)) {
+    material.young = isochoric->young;
+    material.poisson = isochoric->poisson;
+  }
+  const auto* orthotropic = std::get_if<fem::OrthotropicStVK>(&law);
+  if (!orthotropic || section.orientation.empty()) return material;
+  const auto found = look.model.orientations.find(section.orientation);
+  if (found == look.model.orientations.end())
+    fail(look.sources, section.place, "orientation '" + section.orientation + "' is not defined in the file");
+  if (!found->second.unread.what.empty()) {
+    material.law.reset();
+    material.unread_law = said(look.sources, found->second.unread);
+    return material;
+  }
+  auto values = orthotropic->values();
+  std::copy(found->second.axes.begin(), found->second.axes.end(), values.end() - 6);
+  material.law = fem::OrthotropicStVK(values);
+  if (const auto wrong = fem::unstable_at_rest(*material.law))
+    fail(look.sources, section.place, "orientation '" + section.orientation + "': its two axes are parallel");
+  return material;
+}
+
 FileMaterial material_of(const Resolver& look, const InpSection& section) {
   const auto found = look.model.materials.find(section.material);
   if (found == look.model.materials.end()) {
     fail(look.sources, section.place, "material '" + section.material + "' is not defined in the file");
   }
   const auto& material = found->second;
-  const bool isotropic = material.law.what.empty();  // another law beside *ELASTIC, or after it, is the one that counts
-  return {.young = isotropic ? material.young : std::nullopt,
-          .poisson = isotropic ? material.poisson : std::nullopt,
-          .density = material.density,
-          .unread_law = said(look.sources, material.law),
-          .unread_density = said(look.sources, material.unread_density)};
+  const bool readable = material.law.what.empty();  // another law beside these, or after them, is the one that counts
+  FileMaterial result{.young = material.young,
+                      .poisson = material.poisson,
+                      .density = material.density,
+                      .unread_law = said(look.sources, material.law),
+                      .unread_density = said(look.sources, material.unread_density)};
+  if (!readable) result.young = result.poisson = std::nullopt;
+  if (readable && material.known_law) result = with_law(look, section, *material.known_law, result);
+  return result;
 }
 
 void claim(Resolver& look, const InpSection& section, Index cell) {

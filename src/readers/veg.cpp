@@ -108,7 +108,44 @@ void read_elements(VegFile& veg) {
   }
 }
 
-// "ENU, density, E, nu". Of another law only the density is read, which Vega's laws state first.
+/// The numbers of a material, of which there must be one of `counts`.
+std::vector<double> constants_of(VegFile& veg, Cursor& cursor, std::string_view law,
+                                 std::initializer_list<std::size_t> counts) {
+  std::vector<double> values;
+  while (!cursor.line_ends()) values.push_back(cursor.real("a constant of the law"));
+  if (std::find(counts.begin(), counts.end(), values.size()) == counts.end())
+    veg.lines.fail(cursor.place(), std::string(law) + " has " + std::to_string(*counts.begin()) +
+                                       " numbers, the density first; there are " + std::to_string(values.size()));
+  return values;
+}
+
+/// "density, mu01, mu10, v1": W = mu10 (Ī₁ − 3) + mu01 (Ī₂ − 3) + v1 (J − 1)².
+fem::AnyLaw mooney_rivlin(const std::vector<double>& c) { return fem::MooneyRivlin{c[2], c[1], 1 / c[3]}; }
+
+/// "density, E1, E2, E3, nu12, nu23, nu31, G12, G23, G31" and perhaps nine numbers of a rotation, row by row, whose
+/// columns are the axes; ν₁₃ = ν₃₁ E₁/E₃.
+fem::AnyLaw orthotropic(const std::vector<double>& c) {
+  fem::OrthotropicStVK::Values values{c[1], c[2], c[3], c[4], c[6] * c[1] / c[3], c[5], c[7], c[9], c[8], 1, 0,
+                                      0,    0,    1,    0};
+  if (c.size() > 10) {
+    const double* R = c.data() + 10;
+    for (std::size_t i = 0; i < 3; ++i) {
+      values[9 + i] = R[3 * i];
+      values[12 + i] = R[3 * i + 1];
+    }
+  }
+  return fem::OrthotropicStVK(values);
+}
+
+void require_possible(VegFile& veg, Place place, const fem::AnyLaw& law) {
+  for (const auto& given : fem::parameters(law))
+    if (!given.possible())
+      veg.lines.fail(place, "the " + std::string(given.parameter.words) + " of this material cannot be");
+  if (const auto found = fem::unstable_at_rest(law))
+    veg.lines.fail(place, "the constants of this material cannot be: the " + std::string(found->parameter.words) +
+                              " is not positive");
+}
+
 void read_material(VegFile& veg, const std::string& name) {
   const auto line = need_line(veg, "the specification of material '" + name + "'");
   const auto comma = line.text.find(',');
@@ -120,18 +157,23 @@ void read_material(VegFile& veg, const std::string& name) {
       veg.lines.cursor({.place = {.file = line.place.file, .offset = line.place.offset + comma}, .text = values});
   FileMaterial material;
   if (law == "ENU") {
-    material.density = cursor.real("the density");
-    material.young = cursor.real("Young's modulus");
-    material.poisson = cursor.real("Poisson's ratio");
-    cursor.end_line();
+    const auto c = constants_of(veg, cursor, law, {3});
+    material = {.young = c[1], .poisson = c[2], .density = c[0]};
+  } else if (law == "MOONEYRIVLIN") {
+    const auto c = constants_of(veg, cursor, law, {4});
+    material = {.density = c[0], .law = mooney_rivlin(c)};
+  } else if (law == "ORTHOTROPIC" || law == "ORTHOTROPIC_N3G3" || law == "ORTHOTROPIC_N3G3R9") {
+    const auto c = constants_of(veg, cursor, law, {10, 19});
+    material = {.density = c[0], .law = orthotropic(c)};
   } else {
     const double first = cursor.real("the density");
     while (!cursor.line_ends()) cursor.real("a constant of the law");
-    if (law.starts_with("MOONEYRIVLIN") || law.starts_with("ORTHOTROPIC")) material.density = first;
+    if (law.starts_with("ORTHOTROPIC")) material.density = first;
     material.unread_law = located(veg.lines.sources(), line.place) + "material law " + law.substr(0, 32) +
-                          " is not supported; ritz knows ENU (density, Young's modulus, Poisson's ratio)";
+                          " is not supported; ritz knows ENU, MOONEYRIVLIN and ORTHOTROPIC with all its constants";
   }
   veg.materials[name] = checked(veg.lines.sources(), line.place, material);
+  if (material.law) require_possible(veg, line.place, *material.law);
 }
 
 void read_region(VegFile& veg) {

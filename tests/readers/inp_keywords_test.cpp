@@ -155,9 +155,9 @@ TEST(ReadInpMaterials, OfAnotherLawAreForTheOptionsToReplace) {
   const auto law = [](const char* from, const char* to) {
     return read_text("a.inp", with(inp_text(), from, to)).regions[0].material;
   };
-  for (const char* const to : {"*ELASTIC, TYPE=ENGINEERING CONSTANTS\n1.,1.,1.,.1,.1,.1,1.,1.\n1.\n",
-                               "*ELASTIC\n2e11, 0.3, 20.\n1e11, 0.3, 90.\n", "*HYPERELASTIC, NEO HOOKE\n1., 1.\n",
-                               "*USER MATERIAL, CONSTANTS=2\n1., 2.\n"}) {
+  for (const char* const to :
+       {"*ELASTIC, TYPE=ANISOTROPIC\n1.,1.,1.,.1,.1,.1,1.,1.\n1.\n", "*ELASTIC\n2e11, 0.3, 20.\n1e11, 0.3, 90.\n",
+        "*HYPERFOAM\n1., 1.\n", "*USER MATERIAL, CONSTANTS=2\n1., 2.\n"}) {
     SCOPED_TRACE(to);
     const auto material = law("*ELASTIC\n2e11, 0.3\n", to);
     EXPECT_NE(material.unread_law.find("a.inp:24: "), std::string::npos) << material.unread_law;
@@ -172,8 +172,8 @@ TEST(ReadInpMaterials, OfAnotherLawAreForTheOptionsToReplace) {
 }
 
 TEST(ReadInpMaterials, OfAnotherLawBesideAnElasticOneAreNotElastic) {
-  for (const char* const law : {"*USER MATERIAL, CONSTANTS=2\n1., 2.\n", "*HYPERELASTIC, NEO HOOKE\n1., 1.\n",
-                                "*ELASTIC, TYPE=ORTHOTROPIC\n1.,1.,1.,1.,1.,1.,1.,1.\n1.\n"}) {
+  for (const char* const law : {"*USER MATERIAL, CONSTANTS=2\n1., 2.\n", "*HYPERFOAM\n1., 1.\n",
+                                "*ELASTIC, TYPE=ANISOTROPIC\n1.,1.,1.,1.,1.,1.,1.,1.\n1.\n"}) {
     SCOPED_TRACE(law);
     const std::string iso = "*ELASTIC\n2e11, 0.3\n";
     for (const auto& both : {iso + law, law + iso}) {
@@ -181,6 +181,16 @@ TEST(ReadInpMaterials, OfAnotherLawBesideAnElasticOneAreNotElastic) {
       EXPECT_NE(material.unread_law.find("not supported"), std::string::npos);
       EXPECT_FALSE(material.young || material.poisson);
     }
+  }
+}
+
+TEST(ReadInpMaterials, OfRubberBesideAnElasticLawAreRubber) {
+  const std::string iso = "*ELASTIC\n2e11, 0.3\n", rubber = "*HYPERELASTIC, MOONEY-RIVLIN\n1., 1., 1.\n";
+  for (const auto& both : {iso + rubber, rubber + iso}) {
+    const auto material = read_text("a.inp", with(inp_text(), iso, both)).regions[0].material;
+    ASSERT_TRUE(material.law);
+    EXPECT_TRUE(std::holds_alternative<fem::MooneyRivlin>(*material.law));
+    EXPECT_FALSE(material.young || material.poisson);
   }
 }
 
