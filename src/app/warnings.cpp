@@ -150,18 +150,26 @@ std::vector<std::string> unit_warnings(const Extent& extent, const std::vector<m
 
 namespace {
 
-constexpr double locking_poisson = 0.45;  ///< above it linear tetrahedra are visibly too stiff
+/// Above these Poisson's ratios linear cells are visibly too stiff: tetrahedra cannot change shape at constant volume,
+/// the others only in few ways.
+constexpr double locking_tetrahedra = .45, locking_others = .49;
 
-/// Linear tetrahedra cannot change shape at constant volume: nearly incompressible, they lock.
-bool locks(const mesh::Mesh& mesh, const fem::Materials& materials) {
-  std::int32_t found = 0;
+/// The types of linear cells that lock in a nearly incompressible material: "tet4, hex8"; empty if there are none.
+std::string locking_cells(const mesh::Mesh& mesh, const fem::Materials& materials) {
+  std::vector<std::int32_t> locks(fem::cell_types.size(), 0);
   for (int c = 0; c < mesh.cells.owned; ++c) {
     const auto i = static_cast<std::size_t>(c);
-    if (mesh.cells.types[i] == fem::CellType::tet4 &&
-        materials[static_cast<std::size_t>(mesh.cells.regions[i])].at_rest().poisson() > locking_poisson)
-      found = 1;
+    const auto type = mesh.cells.types[i];
+    if (fem::shape(type).quadratic()) continue;
+    const double limit = type == fem::CellType::tet4 ? locking_tetrahedra : locking_others;
+    if (materials[static_cast<std::size_t>(mesh.cells.regions[i])].at_rest().poisson() > limit)
+      locks[static_cast<std::size_t>(type)] = 1;
   }
-  return parallel::max(mesh.comm, found) > 0;
+  std::string names;
+  for (const auto type : fem::cell_types)
+    if (parallel::max(mesh.comm, locks[static_cast<std::size_t>(type)]) > 0)
+      names += (names.empty() ? "" : ", ") + std::string(fem::shape(type).name);
+  return names;
 }
 
 bool free_by_default(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs) {
@@ -173,9 +181,11 @@ bool free_by_default(const config::Config& config, const mesh::Mesh& mesh, const
 std::vector<std::string> warnings(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs,
                                   const fem::Materials& materials) {
   auto notes = mesh::warnings(mesh);
-  if (locks(mesh, materials))
+  if (const auto names = locking_cells(mesh, materials); !names.empty())
     notes.push_back(
-        "linear tetrahedra (tet4) lock at a Poisson's ratio above 0.45: frequencies come out too high; use tet10");
+        "linear cells (" + names +
+        ") lock in a nearly incompressible material: the body comes out too stiff, its frequencies too high; "
+        "use quadratic cells (tet10, hex20)");
   const auto of_units = unit_warnings(extent(mesh, materials), mesh.regions, materials, config);
   notes.insert(notes.end(), of_units.begin(), of_units.end());
   if (free_by_default(config, mesh, dofs))

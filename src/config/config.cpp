@@ -21,7 +21,12 @@ MaterialOptions read_material(Database& options, const std::string& prefix) {
     const std::vector<std::string> names(known.begin(), known.end());
     law = names[options.choice(prefix + "law", names, 0)];
   }
-  return {law, options.real(prefix + "young"), options.real(prefix + "poisson"), options.real(prefix + "density")};
+  return {law,
+          options.real(prefix + "young"),
+          options.real(prefix + "poisson"),
+          options.real(prefix + "density"),
+          options.reals(prefix + "constants"),
+          options.reals(prefix + "axes")};
 }
 
 /// Regions that have options of their own: -material_REGION_young and so on.
@@ -30,7 +35,7 @@ std::map<std::string, MaterialOptions> read_regions(Database& options, const Giv
   std::map<std::string, MaterialOptions> regions;
   for (const auto& [name, value] : given.unread()) {
     if (!name.starts_with(start)) continue;
-    for (const std::string_view end : {"_young", "_poisson", "_density", "_law"}) {
+    for (const std::string_view end : {"_young", "_poisson", "_density", "_law", "_constants", "_axes"}) {
       if (!name.ends_with(end) || name.size() <= start.size() + end.size()) continue;
       const auto region = name.substr(start.size(), name.size() - start.size() - end.size());
       if (!regions.contains(region)) regions[region] = read_material(options, std::string(start) + region + "_");

@@ -24,6 +24,8 @@ namespace ritz::config {
 struct MaterialOptions {
   std::optional<std::string> law;                 ///< one of fem::law_names()
   std::optional<double> young, poisson, density;  ///< in the units of -units
+  std::optional<std::vector<double>> constants;   ///< of a law that is not of young and poisson, in those units
+  std::optional<std::vector<double>> axes;        ///< six numbers: two axes of an orthotropic law
 };
 
 enum class Solver { automatic, direct, iterative };

@@ -27,8 +27,14 @@ constexpr std::array entries = std::to_array<OptionEntry>({
      "Young's modulus; -material_REGION_young for one region, _ for a blank in its name"},
     {"material_poisson", "NU", "-1 < nu < 0.5", "the mesh file's", "Poisson's ratio; -material_REGION_poisson"},
     {"material_density", "RHO", "kg/m3, > 0", "the mesh file's", "density; -material_REGION_density"},
-    {"material_law", "LAW", "", fem::default_law,
+    {"material_law", "LAW", "", "the mesh file's, else stvk",
      "the law, one of those below; -material_REGION_law. Modes are the same for all that are alike at rest"},
+    {"material_constants", "A,B,...", "", "the mesh file's",
+     "the constants of a law that is not of E and nu, in the order and units of the list below; "
+     "-material_REGION_constants"},
+    {"material_axes", "X1,Y1,Z1,X2,Y2,Z2", "", "1,0,0,0,1,0",
+     "where stvk-orthotropic's first axis points, and a second vector in the plane of its first and second; "
+     "-material_REGION_axes"},
     {"modes", "K", "0 ... ", "20", "flexible modes wanted; a cluster at K is kept whole, rigid modes are extra"},
     {"modes_block", "P", "1 ... 64", "4", "block size of the Lanczos iteration"},
     {"modes_tolerance", "T", "1e-14 ... 1e-2", "1e-10", "relative residual at which Lanczos stops"},
@@ -94,9 +100,12 @@ std::string help_text(std::string_view program) {
     out << "      " << (e.unit.empty() ? "" : "[") << e.unit << (e.unit.empty() ? "" : "] ")
         << (e.fallback.empty() ? "" : "default: ") << e.fallback << '\n';
   }
-  out << "\nlaws:";
-  for (const auto name : fem::law_names()) out << ' ' << name;
-  out << "\nsolvers: options under -solve_ksp_, -solve_pc_ and -solve_mat_mumps_ reach the factorization, those under\n"
+  out << "\nlaws, and what they are made of:\n";
+  for (const auto name : fem::law_names())
+    out << "  " << name << std::string(24 - name.size(), ' ')
+        << fem::constants_of(name).value_or("-material_young, -material_poisson") << '\n';
+  out << "  (C, mu, E, G in Pa, D in 1/Pa: the volumetric energy is (J-1)^2/D; alpha, lambda_m, nu without units)\n"
+         "\nsolvers: options under -solve_ksp_, -solve_pc_ and -solve_mat_mumps_ reach the factorization, those under\n"
          "-multigrid_pc_ the levels of the multigrid, those under -newton_snes_ the Newton iterations of ritz-full; "
          "any option under -modes_eps_ or -modes_st_ hands the modes of "
          "the\n"

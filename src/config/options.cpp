@@ -92,6 +92,23 @@ std::optional<double> Database::real(const std::string& name) {
   return value;
 }
 
+std::optional<std::vector<double>> Database::reals(const std::string& name) {
+  const auto text = given_.read(name);
+  if (!text) return std::nullopt;
+  std::vector<double> values;
+  for (std::size_t start = 0; start <= text->size();) {
+    const auto end = std::min(text->find(',', start), text->size());
+    std::string word = text->substr(start, end - start);
+    std::erase(word, ' ');
+    values.push_back(word.empty() ? std::nan("") : parse<double>(name, word, "a number"));
+    if (!std::isfinite(values.back()))
+      throw InputError("option -" + name + " " + *text + ": write finite numbers with commas between, such as 1.5e5,2");
+    start = end + 1;
+  }
+  resolved_.emplace_back(name, *text);
+  return values;
+}
+
 double Database::real(const std::string& name, double fallback, double least, double most) {
   const auto given = real(name);
   if (!given) resolved_.emplace_back(name, shortest(fallback));

@@ -49,6 +49,8 @@ class Database {
   int integer(const std::string& name, int fallback, int least, int most = std::numeric_limits<int>::max());
   double real(const std::string& name, double fallback, double least, double most);
   std::optional<double> real(const std::string& name);
+  /// Finite numbers with commas between; nothing if the option is not given.
+  std::optional<std::vector<double>> reals(const std::string& name);
   bool flag(const std::string& name);
   /// The position of the option's value in `words`. Throws an InputError that names the nearest word.
   std::size_t choice(const std::string& name, const std::vector<std::string>& words, std::size_t fallback);

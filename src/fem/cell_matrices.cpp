@@ -54,11 +54,11 @@ CellMatrix stiffness(CellType type, const CellVectors& x, const ElasticConstants
     });
   const Matrix<6, 6>& C = *material.moduli;
   return of_blocks(n, products.data(), [&](const Matrix<3, 3>& P) -> Matrix<3, 3> {
-    Matrix<3, 3> block = Matrix<3, 3>::Zero();  // Σ_mn C_imjn P_mn
+    Matrix<3, 3> block = Matrix<3, 3>::Zero();  // Σ_mo C_imjo P_mo
     for (int m = 0; m < 3; ++m)
-      for (int n = 0; n < 3; ++n)
+      for (int o = 0; o < 3; ++o)
         for (int j = 0; j < 3; ++j)
-          for (int i = 0; i < 3; ++i) block(i, j) += C(strain_component(i, m), strain_component(j, n)) * P(m, n);
+          for (int i = 0; i < 3; ++i) block(i, j) += C(strain_component(i, m), strain_component(j, o)) * P(m, o);
     return block;
   });
 }

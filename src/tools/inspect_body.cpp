@@ -16,11 +16,21 @@ namespace {
 std::string heading(const char* part) { return "\n  " + padded(part, 12); }
 std::ostream& item(std::ostream& out) { return out << "              "; }
 
+/// The constants of a law that is not of E and ν; those that are zero are absent terms.
+std::string constants_text(const fem::AnyLaw& law) {
+  std::string text;
+  if (!fem::constants_of(fem::name(law))) return text;
+  for (const auto& [parameter, value] : fem::parameters(law))
+    if (value != 0) text += formatted(" %s %.6g,", parameter.name, value);
+  return text + " at rest";
+}
+
 std::string material_text(const fem::Material& material) {
   const auto elastic = material.at_rest();
   const std::string name = fem::name(material.law);
-  return (name == fem::default_law ? "" : " " + name) +
-         formatted(" E %.6g Pa, ν %.6g, ρ %.6g kg/m³\n", elastic.young(), elastic.poisson(), material.density);
+  return (name == fem::default_law ? "" : " " + name) + constants_text(material.law) +
+         formatted(" E %.6g Pa, ν %.6g%s, ρ %.6g kg/m³\n", elastic.young(), elastic.poisson(),
+                   elastic.moduli ? " (means over all directions)" : "", material.density);
 }
 
 std::string certificate_text(const model::Certificate& c) {

@@ -82,6 +82,36 @@ class CrookedBars(InAFolder):
                     self.assertAlmostEqual(number / known, 1, delta=1e-6)
 
 
+class LargeLoads(InAFolder):
+    """A crooked bar of 3 x 2 x 2 hexahedra of 20 vertices, bent by a third of its length by a force at its tip: what
+    CalculiX 2.20 found on the same deck with NLGEOM, a digit before the last of seven."""
+    TIP = {  # m
+        "*HYPERELASTIC, NEO HOOKE\n2.e5, 2.e-6\n": (3.239135e-04, -2.014495e-02, 3.104055e-02),
+        "*HYPERELASTIC, MOONEY-RIVLIN\n1.5e5, 4.e4, 2.e-6\n": (2.478577e-04, -2.080012e-02, 3.179206e-02),
+        "*HYPERELASTIC, YEOH\n1.5e5, -2.e3, 1.e2, 2.e-6, 1.e30, 1.e30\n":
+            (-3.178108e-04, -2.383744e-02, 3.501790e-02),
+        "*HYPERELASTIC, ARRUDA-BOYCE\n3.5e5, 2.5, 2.e-6\n": (2.716981e-04, -2.047602e-02, 3.141486e-02),
+        "*HYPERELASTIC, OGDEN, N=3\n6.3e5, 1.3, 1.2e3, 5., -1.e4, -2., 2.e-6, 1.e30\n1.e30\n":
+            (1.010364e-03, -1.529528e-02, 2.516748e-02),
+        "*ELASTIC, TYPE=ENGINEERING CONSTANTS\n1.e6, 5.e5, 2.e5, .3, .25, .2, 3.e5, 2.e5\n1.e5,\n":
+            (-2.309117e-03, -2.989358e-02, 4.026007e-02)}
+    TURNED = "*ORIENTATION, NAME=TURNED\n1., 2., .5, -1., 1., 0.\n"
+
+    def test_the_statics_of_calculix(self):
+        self.write("s.toml", '[static]\nsteps = 4\n[[load]]\nset = "TIP"\ntotal = [2, -1, 1.5]\n'
+                             '[[probe]]\nname = "tip"\nset = "TIP"\n')
+        for law, expected in self.TIP.items():
+            with self.subTest(law):
+                text = crooked("C3D20", count=(3, 2, 2)).replace("*ELASTIC\n2.1e11, .3\n", law)
+                if "ENGINEERING" in law:
+                    text = text.replace("*MATERIAL,", self.TURNED + "*MATERIAL,").replace(
+                        "MATERIAL=STEEL\n", "MATERIAL=STEEL, ORIENTATION=TURNED\n")
+                self.full("-mesh", self.write("m.inp", text), "-scene", "s.toml", "-quiet", ranks=1)
+                moved = self.table("probes.csv")[1][-1, 1:4]
+                for number, known in zip(moved, expected):
+                    self.assertAlmostEqual(number, known, delta=1e-6 * max(map(abs, expected)))
+
+
 class Decks(InAFolder):
     def first(self, text, *words):
         self.said = self.reduce("-mesh", self.write("m.inp", text), *UNITS, *words, ranks=1).err

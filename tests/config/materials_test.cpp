@@ -213,5 +213,66 @@ TEST(Materials, HaveALawOfTheirOwn) {
       ThrowsMessage<InputError>(AllOf(HasSubstr("-material_law"), HasSubstr("neo-hookean"))));
 }
 
+const std::vector<std::string> dense = {"-material_density", "1100"};
+
+std::vector<double> values_of(const std::vector<std::string>& more, const mesh::FileMaterial& of_file = {}) {
+  std::vector<double> values;
+  const auto materials = region_materials(with_box(with(dense, more)), {{"rubber", of_file}});
+  for (const auto& given : fem::parameters(materials.at(0).law)) values.push_back(given.value);
+  return values;
+}
+
+using Values = std::vector<double>;
+
+TEST(MaterialConstants, MakeTheLawsThatTakeThem) {
+  EXPECT_EQ(values_of({"-material_law", "mooney-rivlin", "-material_constants", "1.5e5,4e4,2e-6"}),
+            (Values{1.5e5, 4e4, 2e-6}));
+  EXPECT_EQ(
+      values_of({"-material_law", "ogden", "-material_constants", "1,2,3", "-material_rubber_constants", "4, 5, 6"}),
+      (Values{4, 5, 0, 1, 0, 1, 6, 0, 0}));
+  EXPECT_EQ(values_of({"-units", "mm-t-s", "-material_law", "yeoh", "-material_constants", "1,2,3,.5"}),
+            (Values{1e6, 2e6, 3e6, .5e-6, 0, 0}));
+  EXPECT_EQ(values_of({"-material_law", "stvk-orthotropic", "-material_constants", "8,4,2,.3,.25,.2,3,2,1",
+                       "-material_axes", "0,1,0,0,0,1"}),
+            (Values{8, 4, 2, .3, .25, .2, 3, 2, 1, 0, 1, 0, 0, 0, 1}));
+}
+
+TEST(MaterialConstants, OfTheFileStandWhereNoOptionSpeaks) {
+  const mesh::FileMaterial rubber{.law = fem::MooneyRivlin{1, 2, 3}};
+  EXPECT_EQ(values_of({}, rubber), (Values{1, 2, 3}));
+  EXPECT_EQ(values_of({"-material_constants", "4,5,6"}, rubber), (Values{4, 5, 6}));
+  EXPECT_EQ(values_of({"-material_law", "stvk", "-material_young", "1e6", "-material_poisson", ".3"}, rubber),
+            (Values{1e6, .3}));
+  const mesh::FileMaterial isochoric{.young = 1e6, .poisson = .4, .law = fem::IsochoricNeoHookean{1e6, .4}};
+  EXPECT_EQ(values_of({"-material_young", "2e6"}, isochoric), (Values{2e6, .4}));
+}
+
+void constants_refused(const std::vector<std::string>& more, const std::string& first, const std::string& second,
+                       const mesh::FileMaterial& of_file = {}) {
+  EXPECT_THAT([&] { values_of(more, of_file); }, ThrowsMessage<InputError>(AllOf(HasSubstr(first), HasSubstr(second))));
+}
+
+TEST(MaterialConstants, MustBePossible) {
+  constants_refused({"-material_law", "ogden", "-material_constants", "1,2"}, "mu1,alpha1", "2 numbers");
+  constants_refused({"-material_law", "ogden"}, "no constants", "-material_rubber_constants");
+  constants_refused({"-material_law", "ogden", "-material_constants", "1,2,x"}, "-material_constants", "x");
+  constants_refused({"-material_law", "ogden", "-material_constants", "1,2,"}, "-material_constants", "finite");
+  constants_refused({"-material_law", "mooney-rivlin", "-material_constants", "1,-2,3"}, "'rubber'", "shear modulus");
+  constants_refused({"-material_law", "mooney-rivlin", "-material_constants", "1,2,-3"}, "'rubber'", "positive");
+  const std::vector<std::string> wood = {"-material_law", "stvk-orthotropic", "-material_constants",
+                                         "8,4,2,.3,.25,.2,3,2,1"};
+  constants_refused(with(wood, {"-material_axes", "1,0,0"}), "six numbers", "3 are given");
+  constants_refused(with(wood, {"-material_axes", "1,0,0,2,0,0"}), "'rubber'", "angle");
+}
+
+// Of two laws' options one would be passed over in silence.
+TEST(MaterialConstants, ThatNoLawTakesAreRefused) {
+  const std::vector<std::string> hooke = {"-material_young", "1e6", "-material_poisson", ".3"};
+  constants_refused(with(hooke, {"-material_constants", "1,2,3"}), "-material_constants does nothing", "stvk");
+  constants_refused(with(hooke, {"-material_axes", "1,0,0,0,1,0"}), "-material_axes does nothing", "stvk");
+  constants_refused({"-material_young", "1e6"}, "-material_young does nothing", "mooney-rivlin",
+                    {.law = fem::MooneyRivlin{1, 2, 3}});
+}
+
 }  // namespace
 }  // namespace ritz::config
