@@ -20,8 +20,10 @@ extern "C" herr_t find_errno(unsigned, const H5E_error2_t* entry, void* found) {
 
 void silence_library() {
   H5dont_atexit();
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  silence_errors();
 }
+
+void silence_errors() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
 
 int hdf5_error() {
   int found = 0;

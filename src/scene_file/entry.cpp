@@ -63,10 +63,15 @@ const toml::array& array(const Entry& entry, const std::string& wanted) {
   fail(entry, entry.name + " must be " + wanted);
 }
 
+/// "file:line"; what a program made has no lines.
+std::string place(const std::string& file, const toml::source_region& source) {
+  return source.begin.line == 0 ? file : file + ":" + std::to_string(source.begin.line);
+}
+
 }  // namespace
 
 void fail(const Entry& entry, const std::string& message) {
-  throw InputError(entry.file + ":" + std::to_string(entry.node.source().begin.line) + ": " + message);
+  throw InputError(place(entry.file, entry.node.source()) + ": " + message);
 }
 
 double number(const Entry& entry) {
@@ -131,8 +136,8 @@ Section::Section(const Entry& entry, std::initializer_list<std::string_view> kno
   for (const auto& [key, node] : *table_) {
     const std::string_view word = key.str();
     if (std::find(known.begin(), known.end(), word) != known.end()) continue;
-    throw InputError(entry.file + ":" + std::to_string(key.source().begin.line) + ": unknown key " + quote(word) +
-                     " in " + entry.name + hint(word, known));
+    throw InputError(place(entry.file, key.source()) + ": unknown key " + quote(word) + " in " + entry.name +
+                     hint(word, known));
   }
 }
 

@@ -23,7 +23,7 @@ struct Entry {
   std::string name;
 };
 
-/// Throws InputError "file:line: message".
+/// Throws InputError "file:line: message", or "file: message" for a value that a program made.
 [[noreturn]] void fail(const Entry& entry, const std::string& message);
 
 // Each returns the value of the entry, or throws an InputError that says what it must be. Numbers are finite.

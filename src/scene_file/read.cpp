@@ -1,6 +1,7 @@
 // The keys of a scene file and what they mean.
 #include <algorithm>
 #include <fstream>
+#include <memory>
 #include <sstream>
 
 #include "entry.hpp"
@@ -161,6 +162,31 @@ Scene scene(const Section& file) {
   return scene;
 }
 
+Scene scene_of(const toml::table& root, const std::string& file) {
+  return scene(
+      Section({root, file, "the scene"}, {"time", "static", "damping", "gravity", "shake", "body", "load", "probe"}));
+}
+
+/// Makes nodes of TOML from values.
+struct ToToml {
+  using Node = std::unique_ptr<toml::node>;
+
+  template <class Plain>
+  Node operator()(const Plain& plain) const {
+    return std::make_unique<toml::value<Plain>>(plain);
+  }
+  Node operator()(const Value::Array& items) const {
+    auto array = std::make_unique<toml::array>();
+    for (const auto& item : items) array->push_back(*std::visit(*this, item.is));
+    return array;
+  }
+  Node operator()(const Value::Table& entries) const {
+    auto table = std::make_unique<toml::table>();
+    for (const auto& [key, value] : entries) table->insert_or_assign(key, *std::visit(*this, value.is));
+    return table;
+  }
+};
+
 std::string content(const std::filesystem::path& path) {
   refuse_irregular(path, "the scene file " + path.string());
   std::ifstream in(path, std::ios::binary);
@@ -177,13 +203,15 @@ Scene read(const std::filesystem::path& path) { return parse(content(path), path
 Scene parse(const std::string& bytes, const std::string& file) {
   refuse_deep_keys(bytes, file);
   try {
-    const toml::table root = toml::parse(bytes, file);
-    return scene(
-        Section({root, file, "the scene"}, {"time", "static", "damping", "gravity", "shake", "body", "load", "probe"}));
+    return scene_of(toml::parse(bytes, file), file);
   } catch (const toml::parse_error& error) {
     throw InputError(file + ":" + std::to_string(error.source().begin.line) +
                      ": not valid TOML: " + printable(error.description()));
   }
+}
+
+Scene from_table(const Value::Table& table, const std::string& name) {
+  return scene_of(*ToToml()(table)->as_table(), name);
 }
 
 }  // namespace ritz::scene

@@ -1,4 +1,5 @@
 #include "run.hpp"
+#include "play.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,6 @@
 
 #include "progress.hpp"
 #include "ritz/base/error.hpp"
-#include "ritz/base/shown.hpp"
 #include "ritz/files/claim.hpp"
 #include "ritz/files/json.hpp"
 #include "ritz/files/part_file.hpp"
@@ -79,14 +79,6 @@ std::int64_t count_steps(const scene::Scene& scene) {
 
 scene::FrameChoice chosen_frames(const RunOptions& options) { return {options.frames, options.every}; }
 
-/// People write percent.
-std::string overdamped(const scene::Damping& damping) {
-  const auto large = std::ranges::find_if(damping.ratio, [](double ratio) { return ratio >= 1; });
-  if (large == damping.ratio.end()) return "";
-  return "[damping] ratio " + shown(*large) + " is overdamped, nothing swings: a ratio is a fraction of the critical " +
-         "damping, and 2 % is written 0.02";
-}
-
 void refuse_unfit(const RunOptions& options, const RunBody& body) {
   const auto* time = std::get_if<scene::Time>(&body.scene.analysis);
   if (const auto left_out = world::left_out_motions(body.scene, *body.model))
@@ -126,18 +118,24 @@ void prepare(Recorder& recorder, const RunOptions& options, const scene::Scene& 
   if (!options.summary.empty()) recorder.add_summary(options.summary);
 }
 
-std::vector<world::RunResult> run_recorded(const RunOptions& options, const scene::Scene& scene,
-                                           const std::vector<RunBody>& bodies, Recorder& recorder) {
+/// Runs to the end; every state goes to the recorder, if there is one, and to the listener.
+std::vector<world::RunResult> run_to_end(const RunOptions& options, const scene::Scene& scene,
+                                         const std::vector<RunBody>& bodies, Recorder* recorder,
+                                         const Listener& listener) {
   Progress line(count_steps(scene), options.voice == Voice::quiet ? Visible::no : on_terminal());
   std::int64_t states = 0;
   std::vector<world::Observer> observers;
   for (std::size_t i = 0; i < bodies.size(); ++i)
     observers.push_back({.state =
                              [&, i](double t, const auto& z) {
-                               recorder.record(i, t, z);
+                               if (recorder) recorder->record(i, t, z);
+                               if (listener.state) listener.state(i, t, z);
                                if (i == 0) line.at(states++);
                              },
-                         .cost = [&, i](const world::StepCost& cost) { recorder.cost(i, cost); }});
+                         .cost =
+                             [&, i](const world::StepCost& cost) {
+                               if (recorder) recorder->cost(i, cost);
+                             }});
   std::vector<world::Actor> actors;
   for (std::size_t i = 0; i < bodies.size(); ++i) actors.push_back({bodies[i].model.get(), &observers[i]});
   auto results = world::run(scene, actors, options.precision);
@@ -176,46 +174,10 @@ void swing_mode(const model::Body& body, double frequency, std::int64_t states, 
 
 void run_scene(const RunOptions& options, std::ostream& out, std::ostream& err) {
   const scene::Scene scene = scene::read(options.scene);
-  const std::int64_t steps = count_steps(scene);
-  const std::int64_t frames = scene::frame_count(chosen_frames(options), steps);
-  const auto drawn = frames == 0 ? Frames::none : Frames::some;
-  auto bodies = cast(scene, options.model);
-  const auto names = claim(options, bodies, drawn, scene.probes.empty() ? Tables::none : Tables::probes);
-  read_bodies(bodies, scene, drawn, options.forces);
-  for (const auto& body : bodies) world::naming(body.name, [&] { refuse_unfit(options, body); });
-  refuse_beyond_room(options, bodies, steps, frames);
-  const auto frame_states = scene::frame_schedule(chosen_frames(options), steps);
-  Recorder recorder(frame_states);
-  prepare(recorder, options, scene, bodies, frame_states);
-
-  std::vector<std::string> warnings;
-  const auto warn = [&](const std::string& text) {
-    err << "ritz-run: warning: " << text << '\n';
-    warnings.push_back(text);
-  };
-  if (const auto text = overdamped(scene.damping); !text.empty()) warn(text);
-  const auto results = run_recorded(options, scene, bodies, recorder);
-  const auto said_before = warnings.size();
-  const bool told = options.voice == Voice::normal || !options.summary.empty();
-  std::vector<BodyResult> all;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    all.push_back({.body = bodies[i],
-                   .result = results[i],
-                   .output = output_of(options, bodies[i]),
-                   .inverted_cells = told ? inside_out(bodies[i].model->geometry, recorder.latest(i)) : 0});
-    if (results[i].gain)
-      warnings.push_back(who(bodies[i]) + warning(*results[i].gain, std::string(results[i].integrator)));
-  }
-  if (!options.summary.empty())
-    recorder.summary(files::json_text(summary({.options = options,
-                                               .scene = scene,
-                                               .bodies = all,
-                                               .frames = std::ssize(frame_states),
-                                               .warnings = warnings})));
-  recorder.commit(names);
-  for (auto i = said_before; i < warnings.size(); ++i) err << "ritz-run: warning: " << warnings[i] << '\n';
+  const auto warn = [&](const std::string& text) { err << "ritz-run: warning: " << text << '\n'; };
+  const auto played = play(options, scene, cast(scene, options.model), Files::written, {.warning = warn, .state = {}});
   if (options.voice == Voice::quiet) return;
-  for (const auto& body : all) say(body, scene, std::ssize(frame_states), out);
+  for (const auto& body : played.bodies) say(body, scene, played.frames, out);
 }
 
 void animate(const RunOptions& options, std::ostream& out) {
@@ -249,6 +211,48 @@ void animate(const RunOptions& options, std::ostream& out) {
 }
 
 }  // namespace
+
+Played play(const RunOptions& options, const scene::Scene& scene, std::vector<RunBody> bodies, Files files,
+            const Listener& listener) {
+  const bool written = files == Files::written;
+  const std::int64_t steps = count_steps(scene);
+  const std::int64_t frames = written ? scene::frame_count(chosen_frames(options), steps) : 0;
+  const auto drawn = frames == 0 ? Frames::none : Frames::some;
+  std::optional<files::Claim> names;
+  if (written) names.emplace(claim(options, bodies, drawn, scene.probes.empty() ? Tables::none : Tables::probes));
+  read_bodies(bodies, scene, written ? drawn : Frames::some, options.forces);  // a listener may want to draw
+  for (const auto& body : bodies) world::naming(body.name, [&] { refuse_unfit(options, body); });
+  std::optional<Recorder> recorder;
+  if (written) {
+    refuse_beyond_room(options, bodies, steps, frames);
+    const auto frame_states = scene::frame_schedule(chosen_frames(options), steps);
+    prepare(recorder.emplace(frame_states), options, scene, bodies, frame_states);
+  }
+
+  std::vector<std::string> warnings;
+  if (const auto text = overdamped(scene.damping); !text.empty()) {
+    listener.warning(text);
+    warnings.push_back(text);
+  }
+  const auto results = run_to_end(options, scene, bodies, recorder ? &*recorder : nullptr, listener);
+  const auto said_before = warnings.size();
+  const bool told = written && (options.voice == Voice::normal || !options.summary.empty());
+  Played played{.bodies = {}, .frames = frames};
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    played.bodies.push_back({.body = bodies[i],
+                             .result = results[i],
+                             .output = written ? output_of(options, bodies[i]) : "",
+                             .inverted_cells = told ? inside_out(bodies[i].model->geometry, recorder->latest(i)) : 0});
+    if (results[i].gain)
+      warnings.push_back(who(bodies[i]) + warning(*results[i].gain, std::string(results[i].integrator)));
+  }
+  if (written && !options.summary.empty())
+    recorder->summary(files::json_text(summary(
+        {.options = options, .scene = scene, .bodies = played.bodies, .frames = frames, .warnings = warnings})));
+  if (written) recorder->commit(*names);
+  for (auto i = said_before; i < warnings.size(); ++i) listener.warning(warnings[i]);
+  return played;
+}
 
 void run(const RunOptions& options, std::ostream& out, std::ostream& err) {
   if (options.animate_mode) animate(options, out);

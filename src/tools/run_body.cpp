@@ -70,6 +70,7 @@ void read_bodies(std::vector<RunBody>& bodies, const scene::Scene& scene, Frames
   std::map<std::filesystem::path, format::ModelReader> files;
   std::map<std::pair<std::filesystem::path, std::string>, Shared> models;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (bodies[i].model) continue;
     const auto& file = bodies[i].model_file;
     const auto& in = files.try_emplace(file, file).first->second;
     const auto asked = scene.bodies.empty() ? std::string() : scene.bodies[i].model_body;

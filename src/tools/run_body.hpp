@@ -35,7 +35,8 @@ std::vector<RunBody> cast(const scene::Scene& scene, const std::filesystem::path
 model::Body read_body(const format::ModelReader& in, const std::string& name, const scene::Scene& scene, Frames frames,
                       Forces forces);
 
-/// Reads the models of all bodies, each once. Throws as read_body, and for a body that its file does not have.
+/// Reads the models of all bodies that have none yet, each once. Throws as read_body, and for a body that its file does
+/// not have.
 void read_bodies(std::vector<RunBody>& bodies, const scene::Scene& scene, Frames frames, Forces forces);
 
 /// What it takes to draw mode `index` (from 0): geometry, modes, and U with that column alone.

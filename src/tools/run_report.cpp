@@ -1,9 +1,11 @@
 #include "run_report.hpp"
 
+#include <algorithm>
 #include <sstream>
 #include <utility>
 
 #include "ritz/base/error.hpp"
+#include "ritz/base/shown.hpp"
 #include "ritz/files/summary.hpp"
 
 namespace ritz::tools {
@@ -74,6 +76,13 @@ std::string balance_line(const world::EnergyBalance& balance) {
   text << "energy balance of E - E0 - W + Q: at most " << balance.gained << " J gained and " << balance.lost
        << " J lost; E0 + W - Q at most " << balance.available << " J";
   return text.str();
+}
+
+std::string overdamped(const scene::Damping& damping) {
+  const auto large = std::ranges::find_if(damping.ratio, [](double ratio) { return ratio >= 1; });
+  if (large == damping.ratio.end()) return "";
+  return "[damping] ratio " + shown(*large) + " is overdamped, nothing swings: a ratio is a fraction of the critical " +
+         "damping, and 2 % is written 0.02";
 }
 
 std::string warning(const world::EnergyGain& gain, const std::string& integrator) {

@@ -27,14 +27,17 @@ std::string who(const RunBody& body);
 /// A line: the most that was gained and lost without work, and what there was to gain or lose, J.
 std::string balance_line(const world::EnergyBalance& balance);
 
+/// A warning of damping ratios of 1 and more, which are percents as a rule; empty if there are none.
+std::string overdamped(const scene::Damping& damping);
+
 /// A sentence that names integrators which hold the energy.
 std::string warning(const world::EnergyGain& gain, const std::string& integrator);
 
 /// What came of a body.
 struct BodyResult {
-  const RunBody& body;
-  const world::RunResult& result;
-  std::filesystem::path output;
+  RunBody body;
+  world::RunResult result;
+  std::filesystem::path output;     ///< its motion; empty if none is written
   std::int64_t inverted_cells = 0;  ///< at the end, of the cells that frames show
 };
 

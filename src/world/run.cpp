@@ -116,16 +116,6 @@ class Moving {
   RunResult result_;
 };
 
-Cause cause_of(runtime::NoRest failure) {
-  switch (failure) {
-    case runtime::NoRest::free_body: return Cause::free_body;
-    case runtime::NoRest::limit_point: return Cause::limit_point;
-    case runtime::NoRest::not_converged: return Cause::not_converged;
-    case runtime::NoRest::not_finite: return Cause::not_finite;
-  }
-  throw std::logic_error("a failure without a cause");
-}
-
 /// A body whose load grows.
 template <class Scalar>
 class Loading {
@@ -210,6 +200,16 @@ std::vector<RunResult> run_in(const scene::Scene& scene, std::span<const Actor> 
 }
 
 }  // namespace
+
+Cause cause_of(runtime::NoRest failure) {
+  switch (failure) {
+    case runtime::NoRest::free_body: return Cause::free_body;
+    case runtime::NoRest::limit_point: return Cause::limit_point;
+    case runtime::NoRest::not_converged: return Cause::not_converged;
+    case runtime::NoRest::not_finite: return Cause::not_finite;
+  }
+  throw std::logic_error("a failure without a cause");
+}
 
 std::vector<RunResult> run(const scene::Scene& scene, std::span<const Actor> actors, Precision precision) {
   return precision == Precision::float32 ? run_in<float>(scene, actors) : run_in<double>(scene, actors);

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "ritz/base/error.hpp"
 #include "scene/temporary_scene.hpp"
 
 namespace ritz::scene {
@@ -127,6 +128,36 @@ TEST(Scene, TheLeastScenes) {
   EXPECT_FALSE(std::get<Time>(dynamic.analysis).integrator);
   EXPECT_FALSE(dynamic.gravity);
   EXPECT_EQ(std::get<Static>(read(test::TemporaryScene("[static]\nsteps = 4").path()).analysis).steps, 4);
+}
+
+TEST(Scene, OfATableIsTheOneOfTheFileThatSaysTheSame) {
+  using Table = Value::Table;
+  using Array = Value::Array;
+  const Value pull{Array{{std::int64_t{0}}, {0.5}, {-1.5}}};
+  const Value ramp{Array{{Array{{0.0}, {0.0}}}, {Array{{std::int64_t{1}}, {2.0}}}}};
+  const Value load{Table{{"set", {std::string("tip")}}, {"total", pull}, {"table", ramp}}};
+  const Scene scene = from_table({{"static", {Table{{"steps", {std::int64_t{3}}}}}}, {"load", {Array{load}}}}, "it");
+  EXPECT_EQ(std::get<Static>(scene.analysis).steps, 3);
+  ASSERT_EQ(scene.loads.size(), 1U);
+  EXPECT_EQ(std::get<std::string>(scene.loads[0].target), "tip");
+  EXPECT_EQ(std::get<TotalForce>(scene.loads[0].kind).newton, (Vector3{0, 0.5, -1.5}));
+  EXPECT_THAT(scene.loads[0].table->points, ElementsAre(Pair(0, 0), Pair(1, 2)));
+}
+
+TEST(Scene, OfATableIsRefusedWithoutALine) {
+  const auto says = [](const char* message) { return testing::ThrowsMessage<InputError>(testing::StrEq(message)); };
+  using Table = Value::Table;
+  EXPECT_THAT(
+      [] {
+        from_table({{"static", {Table{{"steps", {2.5}}}}}}, "it");
+      },
+      says("it: 'steps' of [static] must be a whole number"));
+  EXPECT_THAT(
+      [] {
+        from_table({{"static", {Table{{"step", {std::int64_t{2}}}}}}}, "it");
+      },
+      says("it: unknown key 'step' in [static]; did you mean 'steps'?"));
+  EXPECT_THAT([] { from_table({{"static", {true}}}, "it"); }, says("it: [static] must be a table of keys"));
 }
 
 TEST(Scene, LineEndingsOfWindows) {

@@ -8,4 +8,8 @@ namespace ritz::format {
 /// damaged file or a full disk.
 void silence_library();
 
+/// The first of these alone, in the calling thread: for a library in a process where others use HDF5, too, and count on
+/// what it does at the end.
+void silence_errors();
+
 }  // namespace ritz::format

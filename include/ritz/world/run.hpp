@@ -41,6 +41,9 @@ enum class Cause : unsigned char {
   limit_point     ///< statics: the body snaps or buckles
 };
 
+/// The cause, where statics found no state of rest.
+Cause cause_of(runtime::NoRest failure);
+
 /// How and where a run ended early.
 struct Failure {
   Cause cause = Cause::not_finite;
