@@ -23,7 +23,7 @@ function(ritz_layer name)
 
   file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/${folder}/*.cpp"
     "${PROJECT_SOURCE_DIR}/src/${folder}/*/*.cpp")
-  list(FILTER sources EXCLUDE REGEX "_main\\.cpp$")
+  list(FILTER sources EXCLUDE REGEX "_(main|module)\\.cpp$")
   set(target ritz_${name})
   if(sources)
     add_library(${target} STATIC ${sources})

@@ -115,7 +115,7 @@ function(ritz_run_test name target filter timeout numbers)
 endfunction()
 
 # ritz_add_script_test(NAME SCRIPT [ARGS ...] [TIMEOUT s]): a Python script, which finds what scripts and tests/support
-# hold; exit code 77 says "skipped".
+# hold, and the module ritz; exit code 77 says "skipped".
 function(ritz_add_script_test name script)
   cmake_parse_arguments(T "" "TIMEOUT;PROCESSORS" "ARGS" ${ARGN})
   if(NOT T_TIMEOUT)
@@ -126,5 +126,5 @@ function(ritz_add_script_test name script)
   endif()
   add_test(NAME ${name} COMMAND /usr/bin/python3 "${script}" ${T_ARGS})
   set_tests_properties(${name} PROPERTIES TIMEOUT ${T_TIMEOUT} PROCESSORS ${T_PROCESSORS} SKIP_RETURN_CODE 77
-    ENVIRONMENT "${RITZ_MPI_ENVIRONMENT};${RITZ_LEAKS_BEFORE};RITZ_SHARED=${PROJECT_SOURCE_DIR}/../shared;RITZ_BIN=${PROJECT_BINARY_DIR}/bin;PYTHONPATH=${PROJECT_SOURCE_DIR}/scripts:${PROJECT_SOURCE_DIR}/tests/support")
+    ENVIRONMENT "${RITZ_MPI_ENVIRONMENT};${RITZ_LEAKS_BEFORE};RITZ_SHARED=${PROJECT_SOURCE_DIR}/../shared;RITZ_BIN=${PROJECT_BINARY_DIR}/bin;PYTHONPATH=${PROJECT_SOURCE_DIR}/scripts:${PROJECT_SOURCE_DIR}/tests/support:${PROJECT_BINARY_DIR}/python")
 endfunction()

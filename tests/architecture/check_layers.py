@@ -13,11 +13,12 @@ import layers
 EVERYWHERE_ABOVE_RUNTIME = {"files", "scene", "format", "tools", "readers", "parallel", "algebra", "mesh", "stages", "config",
                             "app"}
 OUTSIDE = [
-    (r"Eigen/\w+", {"fem", "model", "runtime", "world"} | EVERYWHERE_ABOVE_RUNTIME),
+    (r"Eigen/\w+", {"fem", "model", "runtime", "world", "python"} | EVERYWHERE_ABOVE_RUNTIME),
     (r"(petsc|slepc)\w*\.h", {"algebra"}),
     (r"mpi\.h", {"parallel", "algebra", "mesh", "stages", "config", "app"}),  # the last four: a communicator
     (r"hdf5\.h|H5\w+\.h", {"format"}),
     (r"CLI/\w+\.hpp", {"tools"}),
+    (r"pybind11/(stl/)?\w+\.h", {"python"}),
     (r"toml\+\+/\w+\.h", {"scene_file"}),
     (r"metis\.h", {"mesh"}),
     (r"pugixml\.hpp|zlib\.h|lz4\.h|lzma\.h", {"readers"}),

@@ -52,7 +52,8 @@ class Layers(unittest.TestCase):
         self.assert_wrong("src/app/a.cpp", '#include "ritz/fem/x.hpp"', "app may not use fem")
 
     def test_outside_headers(self):
-        for header in ("petscmat.h", "slepceps.h", "mpi.h", "hdf5.h", "CLI/CLI.hpp", "toml++/toml.h", "metis.h"):
+        for header in ("petscmat.h", "slepceps.h", "mpi.h", "hdf5.h", "CLI/CLI.hpp", "toml++/toml.h", "metis.h",
+                       "pybind11/numpy.h"):
             self.assert_wrong("src/fem/a.cpp", f"#include <{header}>", "fem may not include")
         self.assert_wrong("src/fem/a.cpp", "#  include <boost/any.hpp>", "no layer may include")
         self.assert_wrong("src/app/a.cpp", "#include <petscsys.h>", "app may not include")

@@ -23,10 +23,10 @@ def wanted_symbols(library):
 
 
 def check(binaries, archives):
-    for name in ("ritz-run", "ritz-inspect"):
-        for library in libraries(binaries / name):
+    for serial in (binaries / "ritz-run", binaries / "ritz-inspect", *(archives / "python").glob("*.so")):
+        for library in libraries(serial):
             if PARALLEL.search(library):
-                yield f"{name} is linked with {library}"
+                yield f"{serial.name} is linked with {library}"
     reduce = libraries(binaries / "ritz-reduce")
     if not any(PARALLEL.search(library) for library in reduce):
         yield "ritz-reduce is linked with no parallel library: this check sees nothing"

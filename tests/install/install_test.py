@@ -86,6 +86,19 @@ def check_tree(prefix):
         expect(str(prefix.parent) not in path.read_text(), f"{path} names the folder it was built in")
 
 
+def check_module(build, prefix, model):
+    """The Python module, where it is built, stands in one folder with its type stubs, and reads a model from there."""
+    built = {path.name for path in (build / "python").glob("*.so")}
+    installed = list(prefix.glob("lib/python3*/dist-packages/*.so"))
+    expect({path.name for path in installed} == built, f"{built} was built, and {installed} installed")
+    for module in installed:
+        expect((module.parent / "ritz.pyi").is_file(), f"{module.parent} has no ritz.pyi")
+        read = run("env", f"PYTHONPATH={module.parent}", "/usr/bin/python3", "-c",
+                   f"import ritz; print(ritz.__file__, ritz.read({str(model)!r}).r)")
+        expect(read.split() == [str(module), "2"], f"the installed module says {read}")
+        expect(not any(map(PARALLEL.search, needed(module))), f"{module} needs {sorted(needed(module))}")
+
+
 def use_from_outside(consumer, work, prefix, model, options):
     build = work / "consumer"
     shutil.rmtree(build, ignore_errors=True)
@@ -127,6 +140,7 @@ def main():
     check_tree(prefix)
     model = work / "model.h5"
     run(Path(os.environ["RITZ_BIN"]) / "write_sample_model", model)
+    check_module(build, prefix, model)
     consumer = use_from_outside(source / "tests" / "install" / "consumer", work, prefix, model, sys.argv[4:])
     check_links(prefix, consumer)
     check_refusal(work, prefix)
