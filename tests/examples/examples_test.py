@@ -1,4 +1,5 @@
 """The examples do what they say: compared with ritz-run, with each other, and with the programs' own figures."""
+import importlib.util
 import sys
 import tempfile
 import unittest
@@ -11,7 +12,8 @@ import programs
 from bench import Bench
 from program import BIN
 
-EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
+EXAMPLES = Path(__file__).resolve().parents[2] / "examples/python"
+in_python = unittest.skipUnless(importlib.util.find_spec("ritz"), "the Python module is not built")
 PROBLEM = ("-mesh box:1,.1,.1/10,1,1/tet4 -fix xmin -material_young 1e6 -material_poisson .3 -material_density 1000 "
            "-modes 3 -derivatives 3 -basis 6 -polynomial -quiet").split()
 PULL = """[time]
@@ -70,25 +72,32 @@ class Examples(unittest.TestCase):
         one = np.array([line.split() for line in output(BIN / "example_push", self.model, self.vertex).splitlines()], float)
         self.assertAlmostEqual(ways[0], np.linalg.norm(one[:100, 1:], axis=1).max(), delta=1e-8 * ways[0])
 
-    def test_evaluate_is_the_derivative_of_its_energy(self):
+    @in_python
+    def test_push_in_python_prints_the_same(self):
+        self.assertEqual(output("/usr/bin/python3", EXAMPLES / "push.py", self.model, self.vertex),
+                         output(BIN / "example_push", self.model, self.vertex))
+
+    @in_python
+    def test_evaluate_is_what_numpy_makes_of_the_coefficients(self):
         sys.path.insert(0, str(EXAMPLES))
         import evaluate
-        with h5py.File(self.model) as file:
-            part = file["bodies/body/polynomial"]
-            r = int(part.attrs["column_count"])
-            A, B, C = (evaluate.tensor(part[name][:], r, order)
-                       for name, order in (("quadratic", 2), ("cubic", 3), ("quartic", 4)))
-            stiffness = file["bodies/body/reduction/stiffness"][:]
-        np.testing.assert_allclose(A, np.diag(stiffness), atol=1e-9 * stiffness.max())
-        z, side = .02 * np.linspace(1, -1, r), 1e-6
-        _, force, tangent = evaluate.evaluate(A, B, C, z)
-        for i, unit in enumerate(side * np.eye(r)):
-            above, below = evaluate.evaluate(A, B, C, z + unit), evaluate.evaluate(A, B, C, z - unit)
-            self.assertAlmostEqual((above[0] - below[0]) / 2 / side, force[i], delta=1e-6 * np.abs(force).max())
-            np.testing.assert_allclose((above[1] - below[1]) / 2 / side, tangent[i], atol=1e-6 * np.abs(tangent).max())
+        import ritz
+        body = ritz.read(self.model)
+        z, side = .02 * np.linspace(1, -1, body.r), 1e-6
+        there = evaluate.by_numpy(body.polynomial, z)
+        for here, expected in zip(body.equation().evaluate(z), there):
+            np.testing.assert_allclose(here, expected, rtol=1e-12, atol=1e-12 * np.abs(expected).max())
+        stiffness = body.reduction.stiffness
+        np.testing.assert_allclose(evaluate.by_numpy(body.polynomial, 0 * z)[2], np.diag(stiffness),
+                                   atol=1e-9 * stiffness.max())
+        for i, unit in enumerate(side * np.eye(body.r)):
+            above, below = (evaluate.by_numpy(body.polynomial, at) for at in (z + unit, z - unit))
+            self.assertAlmostEqual((above[0] - below[0]) / 2 / side, there[1][i], delta=1e-6 * np.abs(there[1]).max())
+            np.testing.assert_allclose((above[1] - below[1]) / 2 / side, there[2][i], atol=1e-6 * np.abs(there[2]).max())
         said = output("/usr/bin/python3", EXAMPLES / "evaluate.py", self.model, ",".join(map(str, z)))
-        self.assertIn(f"energy {evaluate.evaluate(A, B, C, z)[0]:.12g} J", said)
+        self.assertIn(f"energy {there[0]:.10g}"[:-1], said)
 
+    @in_python
     def test_sweep_converges_and_draws(self):
         said = output("/usr/bin/python3", EXAMPLES / "sweep.py", BIN, self.folder / "sweep")
         errors = [float(line.split("tip ")[1].split()[0]) for line in said.splitlines()]
@@ -96,6 +105,15 @@ class Examples(unittest.TestCase):
         self.assertLess(errors[-1], .02)
         self.assertLess(errors[-1], errors[0] / 10)
         self.assertTrue((self.folder / "sweep/sweep.png").read_bytes().startswith(b"\x89PNG"))
+
+    @in_python
+    def test_pod_comes_near_to_what_it_has_not_seen(self):
+        said = output("/usr/bin/python3", EXAMPLES / "pod.py", BIN, self.folder / "pod")
+        missed = [float(line.split("missed by ")[1].split()[0]) for line in said.splitlines()]
+        self.assertEqual(len(missed), 4)
+        self.assertEqual(missed, sorted(missed, reverse=True))
+        self.assertLess(missed[-1], 1e-4)
+        self.assertGreater(missed[0], .1)
 
 
 if __name__ == "__main__":

@@ -3,10 +3,12 @@
 their derivatives and r columns, and compared with the full model. Prints a table and draws it.
   sweep.py BIN [OUT]      BIN: the folder of the programs; OUT: where to work (default: sweep)"""
 import csv
-import json
 import subprocess
 import sys
 from pathlib import Path
+
+import numpy as np
+import ritz
 
 PROBLEM = "-mesh box:1,.1,.1/20,2,2/tet10 -fix xmin -material_young 1e6 -material_poisson .3 -material_density 1000".split()
 SCENE = """[static]
@@ -27,27 +29,24 @@ def run(*words):
         sys.exit(done.stderr)
 
 
-def tip(folder):
+def full_tip(folder):
     with open(folder / "probes.csv", newline="") as file:
-        return [[float(row["tip_ux"]), float(row["tip_uz"])] for row in csv.DictReader(file)]
+        return np.array([[float(row["tip_ux"]), float(row["tip_uz"])] for row in csv.DictReader(file)])
 
 
 def sweep(programs, out):
     out.mkdir(parents=True, exist_ok=True)
     (out / "scene.toml").write_text(SCENE)
     run(programs / "ritz-full", *PROBLEM, "-scene", out / "scene.toml", "-output", out / "full.h5", "-quiet")
-    truth = tip(out)
-    scale = max(abs(x) for row in truth for x in row)
+    truth = full_tip(out)
     rows = []
     for k, r in SWEEP:
-        folder = out / f"k{k}_r{r}"
-        folder.mkdir(exist_ok=True)
+        model = out / f"k{k}_r{r}.h5"
         run(programs / "ritz-reduce", *PROBLEM, "-modes", k, "-derivatives", k, "-basis", r, "-polynomial", "-quiet",
-            "-output", folder / "model.h5", "-summary", folder / "summary.json")
-        run(programs / "ritz-run", folder / "model.h5", "--scene", out / "scene.toml", "--output", folder / "motion.h5",
-            "--quiet")
-        error = max(abs(a - b) for here, there in zip(tip(folder), truth) for a, b in zip(here, there)) / scale
-        discarded = json.loads((folder / "summary.json").read_text())["basis"]["discarded"]
+            "-output", model)
+        tip = ritz.run(out / "scene.toml", model).probes["tip"]
+        error = np.abs(tip[:, [0, 2]] - truth).max() / np.abs(truth).max()
+        discarded = ritz.read(model).reduction.discarded
         rows.append((k, r, error, discarded))
         print(f"k = {k}  r = {r:2d}  error of the tip {error:.1e}  left out of the basis {discarded:.1e}")
     return rows
