@@ -9,7 +9,7 @@
 #include "ritz/base/error.hpp"
 #include "ritz/base/shown.hpp"
 #include "ritz/runtime/statics.hpp"
-#include "ritz/tools/run_text.hpp"
+#include "ritz/tools/run_report.hpp"
 #include "ritz/world/body.hpp"
 #include "ritz/world/rigid_motions.hpp"
 #include "ritz/world/run.hpp"

@@ -15,7 +15,7 @@
 #include "ritz/base/error.hpp"
 #include "ritz/base/nearest.hpp"
 #include "ritz/base/printable.hpp"
-#include "ritz/tools/run_text.hpp"
+#include "ritz/tools/run_report.hpp"
 #include "ritz/world/body.hpp"
 #include "ritz/world/run.hpp"
 

@@ -7,7 +7,7 @@
 #include "parts.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/base/printable.hpp"
-#include "ritz/base/version.hpp"
+#include "ritz/base/program.hpp"
 #include "run.hpp"
 
 PYBIND11_MODULE(ritz, module) {

@@ -16,8 +16,8 @@
 #include "ritz/format/library.hpp"
 #include "ritz/runtime/reconstruction.hpp"
 #include "ritz/scene_file/read.hpp"
-#include "ritz/tools/inside_out.hpp"
-#include "ritz/tools/run.hpp"
+#include "ritz/tools/play.hpp"
+#include "ritz/tools/run_body.hpp"
 #include "ritz/world/loads.hpp"
 
 namespace ritz::python {

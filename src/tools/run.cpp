@@ -1,5 +1,4 @@
 #include "run.hpp"
-#include "play.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <ostream>
 #include <utility>
 
+#include "play.hpp"
 #include "progress.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/files/claim.hpp"
