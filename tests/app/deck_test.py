@@ -25,19 +25,22 @@ def deck(kind="C3D8", comma="", supports="*BOUNDARY\nFIX, 1, 3\n", steps="*STEP\
 
 
 EDGES = {"C3D20": [(0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7)],
-         "C3D15": [(0, 1), (1, 2), (2, 0), (3, 4), (4, 5), (5, 3), (0, 3), (1, 4), (2, 5)]}
+         "C3D15": [(0, 1), (1, 2), (2, 0), (3, 4), (4, 5), (5, 3), (0, 3), (1, 4), (2, 5)],
+         "C3D10": [(0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3)]}
 CUBE = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
 WEDGES = [(0, 1, 2, 4, 5, 6), (0, 2, 3, 4, 6, 7)]
+TETRAHEDRA = [(0, 1, 2, 6), (0, 2, 3, 6), (0, 3, 7, 6), (0, 7, 4, 6), (0, 4, 5, 6), (0, 5, 1, 6)]  # around a diagonal
+PARTS = {"C3D6": WEDGES, "C3D15": WEDGES, "C3D10": TETRAHEDRA}
 
 
 def crooked(kind, count=(6, 2, 2), size=(.09, .024, .018)):
-    """A bar of 6 x 2 x 2 crooked hexahedra of one type of element, or of twice as many wedges, of steel; its foremost
-    vertex is the set TIP."""
+    """A bar of 6 x 2 x 2 crooked hexahedra of one type of element, or of as many times two wedges or six tetrahedra, of
+    steel; its foremost vertex is the set TIP."""
     numbers = {}
     cells = []
     for corner in ((i, j, k) for i in range(count[0]) for j in range(count[1]) for k in range(count[2])):
         cube = [tuple(2 * (c + d) for c, d in zip(corner, at)) for at in CUBE]
-        for cell in ([[cube[v] for v in wedge] for wedge in WEDGES] if kind in ("C3D6", "C3D15") else [cube]):
+        for cell in [[cube[v] for v in part] for part in PARTS.get(kind, [range(8)])]:
             middles = [tuple((a + b) // 2 for a, b in zip(cell[i], cell[j])) for i, j in EDGES.get(kind, [])]
             cells.append([numbers.setdefault(place, len(numbers) + 1) for place in cell + middles])
     points = []
@@ -83,9 +86,9 @@ class CrookedBars(InAFolder):
 
 
 class LargeLoads(InAFolder):
-    """A crooked bar of 3 x 2 x 2 hexahedra of 20 vertices, bent by a third of its length by a force at its tip: what
-    CalculiX 2.20 found on the same deck with NLGEOM, a digit before the last of seven."""
-    TIP = {  # m
+    """A crooked bar, bent by a third of its length by a force at its tip: what CalculiX 2.20 found on the same deck with
+    NLGEOM, a digit before the last of seven."""
+    TIP = {  # m, of 3 x 2 x 2 C3D20
         "*HYPERELASTIC, NEO HOOKE\n2.e5, 2.e-6\n": (3.239135e-04, -2.014495e-02, 3.104055e-02),
         "*HYPERELASTIC, MOONEY-RIVLIN\n1.5e5, 4.e4, 2.e-6\n": (2.478577e-04, -2.080012e-02, 3.179206e-02),
         "*HYPERELASTIC, YEOH\n1.5e5, -2.e3, 1.e2, 2.e-6, 1.e30, 1.e30\n":
@@ -95,21 +98,31 @@ class LargeLoads(InAFolder):
             (1.010364e-03, -1.529528e-02, 2.516748e-02),
         "*ELASTIC, TYPE=ENGINEERING CONSTANTS\n1.e6, 5.e5, 2.e5, .3, .25, .2, 3.e5, 2.e5\n1.e5,\n":
             (-2.309117e-03, -2.989358e-02, 4.026007e-02)}
+    NEARLY_INCOMPRESSIBLE = {  # m, of 4 x 2 x 2 cubes of six C3D10, the bulk modulus 1e3 and 1e4 times the shear modulus
+        "*HYPERELASTIC, NEO HOOKE\n2.e5, 5.e-9\n": (1.432344e-03, -1.491686e-02, 2.431043e-02),
+        "*HYPERELASTIC, NEO HOOKE\n2.e5, 5.e-10\n": (1.607257e-03, -1.427362e-02, 2.333525e-02)}
     TURNED = "*ORIENTATION, NAME=TURNED\n1., 2., .5, -1., 1., 0.\n"
 
-    def test_the_statics_of_calculix(self):
+    def moves_to(self, text, expected):
         self.write("s.toml", '[static]\nsteps = 4\n[[load]]\nset = "TIP"\ntotal = [2, -1, 1.5]\n'
                              '[[probe]]\nname = "tip"\nset = "TIP"\n')
+        self.full("-mesh", self.write("m.inp", text), "-scene", "s.toml", "-quiet", ranks=1)
+        for number, known in zip(self.table("probes.csv")[1][-1, 1:4], expected):
+            self.assertAlmostEqual(number, known, delta=1e-6 * max(map(abs, expected)))
+
+    def test_the_statics_of_calculix(self):
         for law, expected in self.TIP.items():
             with self.subTest(law):
                 text = crooked("C3D20", count=(3, 2, 2)).replace("*ELASTIC\n2.1e11, .3\n", law)
                 if "ENGINEERING" in law:
                     text = text.replace("*MATERIAL,", self.TURNED + "*MATERIAL,").replace(
                         "MATERIAL=STEEL\n", "MATERIAL=STEEL, ORIENTATION=TURNED\n")
-                self.full("-mesh", self.write("m.inp", text), "-scene", "s.toml", "-quiet", ranks=1)
-                moved = self.table("probes.csv")[1][-1, 1:4]
-                for number, known in zip(moved, expected):
-                    self.assertAlmostEqual(number, known, delta=1e-6 * max(map(abs, expected)))
+                self.moves_to(text, expected)
+
+    def test_nearly_incompressible_rubber(self):
+        for law, expected in self.NEARLY_INCOMPRESSIBLE.items():
+            with self.subTest(law):
+                self.moves_to(crooked("C3D10", count=(4, 2, 2)).replace("*ELASTIC\n2.1e11, .3\n", law), expected)
 
 
 class Decks(InAFolder):
