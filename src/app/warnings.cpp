@@ -9,7 +9,7 @@
 #include "ritz/fem/geometry.hpp"
 #include "ritz/mesh/mesh.hpp"
 #include "ritz/mesh/quality.hpp"
-#include "ritz/mesh/units.hpp"
+#include "ritz/mesh/read.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/stages/each_cell.hpp"
 

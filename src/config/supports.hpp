@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ritz/mesh/dofs.hpp"
-#include "ritz/mesh/units.hpp"
+#include "ritz/mesh/read.hpp"
 
 namespace ritz::config {
 

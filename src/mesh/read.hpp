@@ -10,9 +10,12 @@
 #include "ritz/mesh/box.hpp"
 #include "ritz/mesh/mesh.hpp"
 #include "ritz/mesh/part.hpp"
-#include "ritz/mesh/units.hpp"
+#include "ritz/readers/units.hpp"
 
 namespace ritz::mesh {
+
+using readers::parse_units;
+using readers::Units;
 
 /// What to read or to generate, and how to distribute it.
 struct Source {

@@ -1,12 +1,12 @@
 // Unit systems against steel, whose properties everyone knows in several.
-#include "ritz/mesh/units.hpp"
+#include "ritz/readers/units.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "ritz/base/error.hpp"
 
-namespace ritz::mesh {
+namespace ritz::readers {
 namespace {
 
 using ::testing::HasSubstr;
@@ -39,4 +39,4 @@ TEST(Units, RefuseUnknownWords) {
 }
 
 }  // namespace
-}  // namespace ritz::mesh
+}  // namespace ritz::readers

@@ -1,11 +1,11 @@
-#include "ritz/mesh/units.hpp"
+#include "ritz/readers/units.hpp"
 
 #include <array>
 #include <utility>
 
 #include "ritz/base/error.hpp"
 
-namespace ritz::mesh {
+namespace ritz::readers {
 namespace {
 
 using Table = std::initializer_list<std::pair<std::string_view, double>>;
@@ -34,4 +34,4 @@ Units parse_units(std::string_view text) {
           look_up(times, text.substr(second + 1), text)};
 }
 
-}  // namespace ritz::mesh
+}  // namespace ritz::readers

@@ -5,7 +5,7 @@
 
 #include "ritz/readers/file_mesh.hpp"
 
-namespace ritz::mesh {
+namespace ritz::readers {
 
 /// The size of each unit in SI.
 struct Units {
@@ -16,7 +16,7 @@ struct Units {
 
   double pressure() const { return mass / (length * time * time); }
   double density() const { return mass / (length * length * length); }
-  readers::FileMaterial to_si(readers::FileMaterial m) const {
+  FileMaterial to_si(FileMaterial m) const {
     if (m.young) *m.young *= pressure();
     if (m.density) *m.density *= density();
     if (m.law) m.law = fem::to_si(*m.law, pressure());
@@ -28,4 +28,4 @@ struct Units {
 /// other word.
 Units parse_units(std::string_view text);
 
-}  // namespace ritz::mesh
+}  // namespace ritz::readers
