@@ -88,8 +88,11 @@ struct UnitLoad {
 stages::LoadAt scene_loads(const scene::Scene& scene, const stages::Problem& problem) {
   const mesh::Mesh& mesh = problem.mesh;
   std::vector<Term> terms;
+  // One vector for all loads of the same table: a deck may list a force for each of many vertices.
   const auto add = [&](const algebra::Tall& force, const std::optional<scene::Table>& table) {
-    terms.push_back({mesh::from_vertices(mesh, problem.dofs, force), table});
+    const auto free = mesh::from_vertices(mesh, problem.dofs, force);
+    if (const auto term = std::ranges::find(terms, table, &Term::table); term != terms.end()) term->force += free;
+    else terms.push_back({free, table});
   };
   for (const auto& load : scene.loads) add(std::visit(UnitLoad{mesh, load.target}, load.kind), load.table);
   if (scene.gravity) add(stages::body_force(mesh, problem.matrices.scalar_mass, vector(*scene.gravity)), std::nullopt);

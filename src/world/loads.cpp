@@ -87,12 +87,17 @@ void ReducedLoad::evaluate(const scene::Scene& scene, double t, Eigen::Ref<Eigen
 
 ReducedLoad reduce_loads(const scene::Scene& scene, const model::Body& body) {
   ReducedLoad reduced;
-  for (const auto& load : scene.loads)
-    reduced.terms.push_back({std::visit(Projection{body, load.target}, load.kind), load.table});
+  // One term for all loads of the same table: a deck may list a force for each of many vertices.
+  const auto add = [&](const Eigen::VectorXd& force, const std::optional<scene::Table>& table) {
+    const auto term = std::ranges::find(reduced.terms, table, &ReducedLoad::Term::table);
+    if (term != reduced.terms.end()) term->force += force;
+    else reduced.terms.push_back({force, table});
+  };
+  for (const auto& load : scene.loads) add(std::visit(Projection{body, load.target}, load.kind), load.table);
   if (scene.gravity || scene.shake) {
     const Eigen::MatrixXd translations = body.inertia->rigid_coupling().leftCols<3>();
-    if (scene.gravity) reduced.terms.push_back({translations * vector(*scene.gravity), std::nullopt});
-    if (scene.shake) reduced.terms.push_back({-translations * vector(scene.shake->direction), scene.shake->table});
+    if (scene.gravity) add(translations * vector(*scene.gravity), std::nullopt);
+    if (scene.shake) add(-translations * vector(scene.shake->direction), scene.shake->table);
   }
   return reduced;
 }

@@ -26,6 +26,7 @@ inline constexpr std::array<std::string_view, 7> integrator_names = {
 struct Table {
   std::vector<std::pair<double, double>> points;
   double at(double t) const;
+  bool operator==(const Table&) const = default;
 };
 
 /// Where something acts: a named set, or one vertex by the mesh file's own number.
