@@ -30,14 +30,21 @@ void read_keywords(Deck& deck, const std::string& end, Place begin, InpModel& mo
     deck.fail(begin, "the file ends before the *" + end.substr(0, 3) + " " + end.substr(3) + " of this line");
 }
 
-FileMesh read_inp(Sources& sources, unsigned file, const Ignored& ignored) {
+InpModel read_inp_model(Sources& sources, unsigned file, const Ignored& ignored) {
   Deck deck(sources, file);
   InpModel model;
   model.ignored = ignored;
   read_keywords(deck, {}, {}, model);
   choose_supports(sources, model);
   note_instances(model);
-  return resolve_inp(sources, std::move(model));
+  resolve_inp(sources, model);
+  return model;
+}
+
+FileMesh read_inp(Sources& sources, unsigned file, const Ignored& ignored) {
+  auto model = read_inp_model(sources, file, ignored);
+  note_idle_words(model);
+  return finish(sources, std::move(model.mesh));
 }
 
 }  // namespace ritz::readers

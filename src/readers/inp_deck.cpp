@@ -54,8 +54,9 @@ constexpr Flag flags[] = {{"NSET", "GENERATE"},         {"NSET", "UNSORTED"},  {
                           {"SOLIDSECTION", "COMPOSITE"}};
 
 // Of the others nothing hangs on whether a line is data.
-constexpr std::string_view with_data[] = {"NODE",    "ELEMENT",      "NSET",        "ELSET",   "SURFACE",
-                                          "ELASTIC", "HYPERELASTIC", "ORIENTATION", "DENSITY", "BOUNDARY"};
+constexpr std::string_view with_data[] = {"NODE",    "ELEMENT",      "NSET",        "ELSET",    "SURFACE",
+                                          "ELASTIC", "HYPERELASTIC", "ORIENTATION", "DENSITY",  "BOUNDARY",
+                                          "CLOAD",   "DLOAD",        "DSLOAD",      "AMPLITUDE"};
 
 enum class Field { assignment, flag, data };
 

@@ -109,15 +109,19 @@ const InpScope& scope_of(const Deck& deck, const Keyword& keyword, const InpMode
   return found->second;
 }
 
+std::optional<Index> whole_number(std::string_view text) {
+  Index number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc() && end == text.data() + text.size() ? std::optional(number) : std::nullopt;
+}
+
 std::string full_target(const Deck& deck, const Line& field, InpKind kind, const InpModel& model) {
   const auto name = plain_name(field.text);
   const auto said = dotted(model, name);
   const auto& scope = said ? said->scope : model.scope;
   const std::string_view own = said ? said->name : std::string_view(name);
-  Index number = 0;
-  const auto [end, error] = std::from_chars(own.data(), own.data() + own.size(), number);
-  if (error == std::errc() && end == own.data() + own.size())
-    return std::to_string(full_number(deck, field.place, number, added(scope, kind)));
+  if (const auto number = whole_number(own))
+    return std::to_string(full_number(deck, field.place, *number, added(scope, kind)));
   return said ? name : full_name(scope, name);
 }
 

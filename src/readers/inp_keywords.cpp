@@ -31,6 +31,17 @@ constexpr Obeyed obeyed[] = {{"PART", read_inp_part},
                              {"BOUNDARY", read_inp_boundary},
                              {"STEP", read_inp_step},
                              {"FREQUENCY", read_inp_frequency},
+                             {"STATIC", read_inp_procedure},
+                             {"DYNAMIC", read_inp_procedure},
+                             {"MODALDYNAMIC", read_inp_procedure},
+                             {"VISCO", read_inp_procedure},
+                             {"BUCKLE", read_inp_procedure},
+                             {"STEADYSTATEDYNAMICS", read_inp_procedure},
+                             {"RANDOMRESPONSE", read_inp_procedure},
+                             {"RESPONSESPECTRUM", read_inp_procedure},
+                             {"DIRECTCYCLIC", read_inp_procedure},
+                             {"GREEN", read_inp_procedure},
+                             {"AMPLITUDE", read_inp_amplitude},
                              {"CLOAD", read_inp_load},
                              {"DLOAD", read_inp_load},
                              {"DSLOAD", read_inp_load},
@@ -55,15 +66,15 @@ constexpr Obeyed obeyed[] = {{"PART", read_inp_part},
                              {"USERMATERIAL", read_inp_other_law},
                              {"DEFORMATIONPLASTICITY", read_inp_other_law}};
 
-// Output, procedures and their settings, loads that ritz takes from a scene, definitions that nothing read uses.
+// Output, settings of procedures, loads that no mesh and no scene has, definitions that nothing read uses.
 constexpr std::string_view harmless =
     "HEADING PREPRINT ENDSTEP NODEPRINT NODEFILE NODEOUTPUT ELPRINT ELFILE ELEMENTOUTPUT ELEMENTMATRIXOUTPUT "
     "ENERGYPRINT ENERGYFILE ENERGYOUTPUT CONTACTPRINT CONTACTFILE CONTACTOUTPUT SECTIONPRINT SECTIONFILE "
     "SURFACEOUTPUT MODALPRINT MODALFILE MODALOUTPUT INCREMENTATIONOUTPUT INTEGRATEDOUTPUT INTEGRATEDOUTPUTSECTION "
     "OUTPUT HISTORYOUTPUT FIELDOUTPUT FILEFORMAT FILEOUTPUT POSTOUTPUT PRINT MONITOR DIAGNOSTICS RESTART "
-    "USEROUTPUTVARIABLES DISPLAYBODY TIMEPOINTS AMPLITUDE CONTROLS SOLVERCONTROLS SECTIONCONTROLS HOURGLASSSTIFFNESS "
-    "BULKVISCOSITY STATIC DYNAMIC VISCO BUCKLE MODALDYNAMIC STEADYSTATEDYNAMICS RANDOMRESPONSE RESPONSESPECTRUM GREEN "
-    "SUBSTRUCTUREGENERATE RETAINEDNODALDOFS SELECTEIGENMODES SENSITIVITY DESIGNVARIABLES DESIGNRESPONSE OBJECTIVE "
+    "USEROUTPUTVARIABLES DISPLAYBODY TIMEPOINTS CONTROLS SOLVERCONTROLS SECTIONCONTROLS HOURGLASSSTIFFNESS "
+    "BULKVISCOSITY SUBSTRUCTUREGENERATE RETAINEDNODALDOFS SELECTEIGENMODES SENSITIVITY DESIGNVARIABLES DESIGNRESPONSE "
+    "OBJECTIVE "
     "CONSTRAINT FILTER GEOMETRICCONSTRAINT GEOMETRICTOLERANCE ROBUSTDESIGN CORRELATIONLENGTH DAMPING MODALDAMPING "
     "GLOBALDAMPING BASEMOTION CFLUX DFLUX DSFLUX FILM SFILM RADIATE SRADIATE FIELD SPECTRUM PSD-DEFINITION "
     "CORRELATION DISTRIBUTION DISTRIBUTIONTABLE NORMAL NODALTHICKNESS SURFACEINTERACTION SURFACEBEHAVIOR "
@@ -72,7 +83,7 @@ constexpr std::string_view harmless =
     "ELECTRICALCONDUCTIVITY JOULEHEATFRACTION MAGNETICPERMEABILITY FLUIDCONSTANTS SPECIFICGASCONSTANT DEPVAR "
     "NOANALYSIS SOLUTIONTECHNIQUE RADIATIONPRINT RADIATIONFILE RADIATIONOUTPUT SUBSTRUCTUREPATH "
     "SUBSTRUCTUREMATRIXOUTPUT SUBSTRUCTUREOUTPUT MATRIXGENERATE MATRIXOUTPUT NODERESPONSE ELEMENTRESPONSE "
-    "DESIGNPARAMETER FEASIBLEDIRECTION RANDOMFIELD HCF MASSFLOW DIRECTCYCLIC SURFACEPROPERTY SURFACESMOOTHING "
+    "DESIGNPARAMETER FEASIBLEDIRECTION RANDOMFIELD HCF MASSFLOW SURFACEPROPERTY SURFACESMOOTHING "
     "CAVITYDEFINITION EMISSIVITY FAILSTRESS FAILSTRAIN UNIAXIALTESTDATA BIAXIALTESTDATA PLANARTESTDATA "
     "SIMPLESHEARTESTDATA VOLUMETRICTESTDATA SHEARTESTDATA COMBINEDTESTDATA TRS COHESIVEBEHAVIOR SOLUBILITY "
     "DIFFUSIVITY PERMEABILITY DIELECTRIC";
@@ -194,7 +205,9 @@ constexpr Refused refused[] = {{"EQUATION", "ties degrees of freedom together"},
                                {"ELCOPY", "generates elements"},
                                {"PARAMETER", "puts values in the place of names"}};
 
-void pass_over(Deck&, const Keyword&, InpModel&) {}
+void pass_over(Deck&, const Keyword& keyword, InpModel& model) {
+  model.passed_over.try_emplace(keyword.name, keyword.place);
+}
 
 // Once a keyword of that name: a plastic law a material would be a note a material.
 void note_inelastic(Deck& deck, const Keyword& keyword, InpModel& model) {

@@ -127,9 +127,30 @@ struct InpBoundary {
   Place place;
 };
 
+/// A data line of *CLOAD, *DLOAD or *DSLOAD.
+struct InpLoad {
+  std::size_t keyword;  ///< position in InpModel::load_keywords
+  std::string target;   ///< a set, a number or a surface; empty: the whole model
+  std::vector<Line> fields = {};
+  std::string faces = {};  ///< of *DLOAD, P1 ... P6: the surface that was made of the faces it presses
+  bool joined = false;     ///< an earlier line has that surface, and the same magnitude
+  std::string unfit = {};  ///< why there is no such surface
+};
+
+/// A keyword whose data lines are read when they are needed: *AMPLITUDE, *STATIC, *DYNAMIC.
+struct InpLines {
+  Keyword keyword;
+  std::vector<Line> lines = {};
+};
+
 /// The model data (the first entry, before any *STEP), or a step.
 struct InpStep {
   Place place = {};
+  std::optional<Keyword> keyword = {};  ///< *STEP
+  std::optional<InpLines> procedure = {};
+  std::vector<InpLoad> loads = {};
+  std::uint64_t supports = 0;       ///< the same for the same supports in effect
+  std::optional<Place> moved = {};  ///< a displacement other than zero is in effect
   std::vector<InpBoundary> boundaries = {};
   bool own_supports = false;            ///< it has a *BOUNDARY
   bool replaces_supports = false;       ///< its first *BOUNDARY has OP=NEW
@@ -160,6 +181,13 @@ struct InpModel {
   std::vector<InpStep> steps = {{}};
   std::vector<InpBoundary> boundaries;                       ///< those in effect, of different targets
   std::vector<std::pair<Index, std::string>> element_types;  ///< the first cell of each *ELEMENT, and its type
+  std::map<std::string, std::size_t> set_index;              ///< kind and name in capitals -> ListedMesh::sets
+  std::map<std::string, std::string> spelling;               ///< name of a set in capitals -> as first written
+  std::size_t supported_step = 0;                            ///< whose supports are those of the mesh
+  std::vector<Keyword> load_keywords;
+  std::multimap<std::string, InpLines> amplitudes;  ///< by name in capitals
+  std::map<std::string, Place> passed_over;  ///< keywords that change nothing of the mesh, where they stand first
+  std::optional<Place> in_motion;            ///< *INITIAL CONDITIONS with velocities or displacements
   std::optional<Place> temperatures;
   bool expands = false;         ///< *EXPANSION: a change of temperature strains the body
   std::set<std::string> words;  ///< words of -ignore that the file used
@@ -180,6 +208,9 @@ enum class InpKind { node, element };
 /// A field that names a set or a number, as the model has it: "12" and "Bolt.12" become the number of the model, "head"
 /// becomes "Bolt.head" in the instance Bolt.
 std::string full_target(const Deck& deck, const Line& field, InpKind kind, const InpModel& model);
+
+/// The whole number that `text` is, if it is one.
+std::optional<Index> whole_number(std::string_view text);
 
 /// A point of a part where its instance has it: translated, then rotated.
 std::array<double, 3> placed(const InpScope& scope, const std::array<double, 3>& point);
@@ -209,6 +240,8 @@ void read_inp_transform(Deck& deck, const Keyword& keyword, InpModel& model);
 void read_inp_boundary(Deck& deck, const Keyword& keyword, InpModel& model);
 void read_inp_step(Deck& deck, const Keyword& keyword, InpModel& model);
 void read_inp_frequency(Deck& deck, const Keyword& keyword, InpModel& model);
+void read_inp_procedure(Deck& deck, const Keyword& keyword, InpModel& model);
+void read_inp_amplitude(Deck& deck, const Keyword& keyword, InpModel& model);
 void read_inp_load(Deck& deck, const Keyword& keyword, InpModel& model);
 void read_inp_temperature(Deck& deck, const Keyword& keyword, InpModel& model);
 void read_inp_initial_conditions(Deck& deck, const Keyword& keyword, InpModel& model);
@@ -239,8 +272,18 @@ void note_instances(InpModel& model);
 /// note if others differ. Throws InputError when the frequency step starts from a stress.
 void choose_supports(const Sources& sources, InpModel& model);
 
-/// Looks up every name and number, and checks the mesh. Throws InputError.
-FileMesh resolve_inp(const Sources& sources, InpModel model);
+/// The set of the mesh with that name and kind, which is created if necessary. Names do not mind capitals: all kinds
+/// are spelled as the first.
+ListedSet& listed_set(InpModel& model, const std::string& name, std::string_view kind);
+
+/// Reads the whole deck and looks up every name and number: what is left is to finish the mesh. Throws InputError.
+InpModel read_inp_model(Sources& sources, unsigned file, const Ignored& ignored);
+
+/// Looks up every name and number. Throws InputError.
+void resolve_inp(const Sources& sources, InpModel& model);
+
+/// Adds a note for every word of -ignore that left nothing out.
+void note_idle_words(InpModel& model);
 
 /// A few lines of a file can list the same numbers very often (ranges, sets of sets). Therefore the total of what all
 /// sets list is limited, generously, by the size of the file.
@@ -254,6 +297,11 @@ class InpBudget {
   std::uint64_t allowed_;
   std::uint64_t spent_ = 0;
 };
+
+/// Makes a surface of the faces that *DLOAD presses, so that a scene can name them: "SET.P2" of the faces P2 of an
+/// element set; "DLOAD-3" of the elements that the third *DLOAD lists by number, "DLOAD-3.2" and so on where it has
+/// several magnitudes. An apostrophe is added to a name that another surface has.
+void press_faces(const Sources& sources, InpBudget& budget, InpModel& model);
 
 /// Numbers that sets list but that the file does not define.
 struct InpMissing {

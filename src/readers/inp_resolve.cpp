@@ -1,7 +1,6 @@
 #include "ritz/readers/inp_model.hpp"
 
 #include <algorithm>
-#include <charconv>
 
 #include "ritz/base/set_name.hpp"
 
@@ -17,8 +16,6 @@ struct Resolver {
   InpMissing missing_elements = {};
   InpModel& model;
   Numbering ids;
-  std::map<std::string, std::size_t> set_index;  ///< kind and name in capitals -> ListedMesh::sets
-  std::map<std::string, std::string> spelling;   ///< name in capitals -> as first written
 };
 
 std::size_t position_of(const InpSets& sets, const InpSet& set) {
@@ -58,21 +55,10 @@ template <class PositionsOf>
 std::vector<Index> target(Resolver& look, const std::string& name, Place place, const InpSets& sets, const IdMap& ids,
                           PositionsOf positions_of) {
   if (const auto* const set = sets.find(name)) return positions_of(look, *set);
-  Index number = 0;
-  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
-  const bool is_number = error == std::errc() && end == name.data() + name.size();
-  const Index position = is_number ? ids.find(number) : -1;
+  const auto number = whole_number(name);
+  const Index position = number ? ids.find(*number) : -1;
   if (position < 0) fail(look.sources, place, "'" + name + "' is no set and no number in this file");
   return {position};
-}
-
-// The set of that name and kind, made if need be. Names do not mind capitals: all kinds are spelled as the first.
-ListedSet& listed_set(Resolver& look, const std::string& name, std::string_view kind) {
-  auto& sets = look.model.mesh.sets;
-  const auto spelled = look.spelling.try_emplace(upper(name), name).first->second;
-  const auto [found, added] = look.set_index.try_emplace(of_kind(kind, upper(name)), sets.size());
-  if (added) sets.push_back({.name = spelled, .vertices = {}, .cells = {}, .faces = {}, .kind = kind});
-  return sets[found->second];
 }
 
 void append(std::vector<Index>& to, const std::vector<Index>& from) { to.insert(to.end(), from.begin(), from.end()); }
@@ -93,7 +79,7 @@ void add_surface_cell(const Resolver& look, const InpSurfaceEntry& entry, Index 
 
 void resolve_surface(Resolver& look, const InpSurface& surface) {
   auto& model = look.model;
-  auto& set = listed_set(look, surface.name, "surface");
+  auto& set = listed_set(model, surface.name, "surface");
   for (const auto& entry : surface.entries) {
     if (surface.type == InpSurfaceType::node) {
       append(set.vertices, target(look, entry.target, entry.place, model.node_sets, look.ids.vertices, vertices_of));
@@ -250,6 +236,16 @@ void note_missing(InpModel& model, const InpMissing& missing) {
                              "; the sets do without");
 }
 
+}  // namespace
+
+ListedSet& listed_set(InpModel& model, const std::string& name, std::string_view kind) {
+  auto& sets = model.mesh.sets;
+  const auto spelled = model.spelling.try_emplace(upper(name), name).first->second;
+  const auto [found, added] = model.set_index.try_emplace(of_kind(kind, upper(name)), sets.size());
+  if (added) sets.push_back({.name = spelled, .vertices = {}, .cells = {}, .faces = {}, .kind = kind});
+  return sets[found->second];
+}
+
 void note_idle_words(InpModel& model) {
   for (const auto& word : model.ignored)
     if (!model.words.contains(word))
@@ -257,17 +253,15 @@ void note_idle_words(InpModel& model) {
                                  " left nothing out: the mesh file has nothing of that name that ritz would refuse");
 }
 
-}  // namespace
-
-FileMesh resolve_inp(const Sources& sources, InpModel model) {
-  Resolver look{
-      .sources = sources, .model = model, .ids = numbering(sources, model.mesh), .set_index = {}, .spelling = {}};
+void resolve_inp(const Sources& sources, InpModel& model) {
+  Resolver look{.sources = sources, .model = model, .ids = numbering(sources, model.mesh)};
   // Element sets first: a name is spelled like the region that it may be.
   for (const auto& set : model.element_sets.sets)
-    append(listed_set(look, set.name, "elset").cells, cells_of(look, set));
+    append(listed_set(model, set.name, "elset").cells, cells_of(look, set));
   for (const auto& set : model.node_sets.sets)
-    append(listed_set(look, set.name, "nset").vertices, vertices_of(look, set));
+    append(listed_set(model, set.name, "nset").vertices, vertices_of(look, set));
   for (const auto& surface : model.surfaces) resolve_surface(look, surface);
+  press_faces(sources, look.budget, model);
   if (model.sections.empty()) regions_from_sets(look);
   else resolve_sections(look);
   for (const auto& boundary : model.boundaries) resolve_boundary(look, boundary);
@@ -275,8 +269,6 @@ FileMesh resolve_inp(const Sources& sources, InpModel model) {
   refuse_transforms(look);
   note_missing(model, look.missing_nodes);
   note_missing(model, look.missing_elements);
-  note_idle_words(model);
-  return finish(sources, std::move(model.mesh));
 }
 
 }  // namespace ritz::readers

@@ -103,20 +103,40 @@ void read_inp_boundary(Deck& deck, const Keyword& keyword, InpModel& model) {
 void read_inp_step(Deck&, const Keyword& keyword, InpModel& model) {
   auto& step = model.steps.emplace_back();
   step.place = keyword.place;
+  step.keyword = keyword;
   if (yes(keyword, "PERTURBATION")) step.preloaded = keyword.place;
   if (yes(keyword, "NLGEOM")) step.nonlinear = keyword.place;
 }
 
-void read_inp_frequency(Deck&, const Keyword& keyword, InpModel& model) {
-  model.steps.back().frequency = keyword.place;
+void read_inp_procedure(Deck& deck, const Keyword& keyword, InpModel& model) {
+  auto& procedure = model.steps.back().procedure.emplace(InpLines{keyword});
+  while (const auto line = deck.next_data()) procedure.lines.push_back(*line);
 }
 
-void read_inp_load(Deck& deck, const Keyword&, InpModel& model) {
+void read_inp_frequency(Deck& deck, const Keyword& keyword, InpModel& model) {
+  model.steps.back().frequency = keyword.place;
+  read_inp_procedure(deck, keyword, model);
+}
+
+void read_inp_amplitude(Deck& deck, const Keyword& keyword, InpModel& model) {
+  const auto name = upper(keyword.value("NAME").value_or(""));
+  auto& lines = model.amplitudes.emplace(name, InpLines{keyword})->second.lines;
+  while (const auto line = deck.next_data()) lines.push_back(*line);
+}
+
+void read_inp_load(Deck& deck, const Keyword& keyword, InpModel& model) {
   auto& step = model.steps.back();
+  const auto kind = keyword.name == "CLOAD" ? InpKind::node : InpKind::element;
   while (const auto line = deck.next_data()) {
     step.loaded = true;
     step.spinning = step.spinning || spins(*line);
+    const auto parts = fields(*line);
+    const bool all = parts[0].text.empty();
+    step.loads.push_back({.keyword = model.load_keywords.size(),
+                          .target = all ? std::string() : full_target(deck, parts[0], kind, model),
+                          .fields = parts});
   }
+  model.load_keywords.push_back(keyword);
 }
 
 void read_inp_temperature(Deck&, const Keyword& keyword, InpModel& model) {
@@ -130,6 +150,7 @@ void read_inp_initial_conditions(Deck& deck, const Keyword& keyword, InpModel& m
                                            "PRESSURE",    "TOTALPRESSURE", "MASSFLOW",         "SOLUTION"};
   auto type = upper(keyword.value("TYPE").value_or(""));
   std::erase(type, ' ');
+  if ((type.ends_with("VELOCITY") || type == "DISPLACEMENT") && !model.in_motion) model.in_motion = keyword.place;
   if (std::find(std::begin(harmless), std::end(harmless), type) != std::end(harmless)) return;
   leave_out(deck.sources(), keyword.place, {keyword.name},
             "*INITIAL CONDITIONS of type '" + type +
@@ -205,20 +226,26 @@ void refuse_preload(const Sources& sources, InpModel& model, std::size_t chosen)
               model);
 }
 
+std::optional<Place> moved(const Supports& supports) {
+  const auto moves = [](const InpBoundary& held) {
+    return held.motion == InpMotion::prescribed && held.components != Components{};
+  };
+  const auto found = std::find_if(supports.held.begin(), supports.held.end(), moves);
+  return found == supports.held.end() ? std::nullopt : std::optional(found->place);
+}
+
 void refuse_motion(const Sources& sources, InpModel& model, const InpStep& step) {
-  for (const auto& boundary : model.boundaries) {
-    if (boundary.motion != InpMotion::prescribed || boundary.components == Components{}) continue;
-    if (step.frequency) {
-      model.words.insert("BOUNDARY");
-      model.mesh.notes.push_back(located(sources, boundary.place) +
-                                 "a prescribed displacement: the vertices are held where they stand, as a frequency "
-                                 "step has it");
-      return;
-    }
-    leave_out(sources, boundary.place, {"BOUNDARY"},
-              "a prescribed displacement other than zero is not supported: ritz holds the vertices where they stand",
-              model);
+  if (!step.moved) return;
+  if (step.frequency) {
+    model.words.insert("BOUNDARY");
+    model.mesh.notes.push_back(located(sources, *step.moved) +
+                               "a prescribed displacement: the vertices are held where they stand, as a frequency "
+                               "step has it");
+    return;
   }
+  leave_out(sources, *step.moved, {"BOUNDARY"},
+            "a prescribed displacement other than zero is not supported: ritz holds the vertices where they stand",
+            model);
 }
 
 void note_others(const Sources& sources, InpModel& model, const InpStep& step) {
@@ -231,12 +258,14 @@ void note_others(const Sources& sources, InpModel& model, const InpStep& step) {
 }  // namespace
 
 void choose_supports(const Sources& sources, InpModel& model) {
-  const auto chosen = chosen_step(model);
+  const auto chosen = model.supported_step = chosen_step(model);
   const auto& step = model.steps[chosen];
   Supports supports;
   std::vector<std::uint64_t> sums;
   for (std::size_t s = 0; s < model.steps.size(); ++s) {
     enter(supports, model.steps[s]);
+    model.steps[s].supports = supports.sum;
+    model.steps[s].moved = moved(supports);
     const bool alike = model.steps[s].frequency.has_value() == step.frequency.has_value();
     if (alike && (s > 0 || chosen == 0)) sums.push_back(supports.sum);
     if (s == chosen) model.boundaries = supports.held;

@@ -72,7 +72,7 @@ class Hostile(InAFolder):
     @unittest.skipUnless(shutil.which("cc"), "no C compiler")
     def test_libraries_of_the_current_folder(self):
         library = self.library()
-        for program in ("ritz-reduce", "ritz-full", "ritz-run", "ritz-inspect"):
+        for program in ("ritz-reduce", "ritz-full", "ritz-run", "ritz-inspect", "ritz-scene"):
             needed = subprocess.run(["ldd", BIN / program], capture_output=True, text=True, check=True).stdout
             for name in re.findall(r"^\s*(lib\S+) =>", needed, re.M):
                 shutil.copy(library, self.folder / name)

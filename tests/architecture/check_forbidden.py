@@ -17,7 +17,7 @@ import layers
 PARALLEL = ["mpi.h", "petscsys.h", "slepcsys.h"]
 UNREACHABLE = {
     **dict.fromkeys(["base", "files", "fem", "model", "runtime", "scene", "scene_file", "world", "readers"], PARALLEL + ["hdf5.h"]),
-    **dict.fromkeys(["format", "tools", "python"], PARALLEL),
+    **dict.fromkeys(["format", "tools", "decks", "python"], PARALLEL),
     "parallel": ["petscsys.h", "slepcsys.h"],
 }
 

@@ -17,7 +17,7 @@ OUTSIDE = [
     (r"(petsc|slepc)\w*\.h", {"algebra"}),
     (r"mpi\.h", {"parallel", "algebra", "mesh", "stages", "config", "app"}),  # the last four: a communicator
     (r"hdf5\.h|H5\w+\.h", {"format"}),
-    (r"CLI/\w+\.hpp", {"tools"}),
+    (r"CLI/\w+\.hpp", {"tools", "decks"}),
     (r"pybind11/(stl/)?\w+\.h", {"python"}),
     (r"toml\+\+/\w+\.h", {"scene_file"}),
     (r"metis\.h", {"mesh"}),
@@ -27,7 +27,7 @@ OUTSIDE = [
 ]
 STANDARD = r"[a-z_]+"  # <vector>, <cmath>: no folder and no ending
 PRINTING = {"iostream", "print"}
-PRINTERS = {"app", "tools"}
+PRINTERS = {"app", "tools", "decks"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')
 

@@ -23,7 +23,8 @@ def wanted_symbols(library):
 
 
 def check(binaries, archives):
-    for serial in (binaries / "ritz-run", binaries / "ritz-inspect", *(archives / "python").glob("*.so")):
+    programs = [binaries / name for name in ("ritz-run", "ritz-inspect", "ritz-scene")]
+    for serial in (*programs, *(archives / "python").glob("*.so")):
         for library in libraries(serial):
             if PARALLEL.search(library):
                 yield f"{serial.name} is linked with {library}"

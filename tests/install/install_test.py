@@ -81,7 +81,7 @@ def check_tree(prefix):
     include = prefix / "include" / "ritz"
     expect({path.name for path in include.iterdir()} == LAYERS, f"{include} holds {sorted(include.iterdir())}")
     programs = {path.name for path in (prefix / "bin").iterdir()}
-    expect(programs in (SERIAL, SERIAL | {"ritz-reduce", "ritz-full"}), f"bin holds {sorted(programs)}")
+    expect(programs in (SERIAL, SERIAL | {"ritz-reduce", "ritz-full", "ritz-scene"}), f"bin holds {sorted(programs)}")
     for path in prefix.rglob("*.cmake"):
         expect(str(prefix.parent) not in path.read_text(), f"{path} names the folder it was built in")
 

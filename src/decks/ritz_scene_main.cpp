@@ -1,0 +1,58 @@
+// ritz-scene: the loads of a deck as a scene. See --help.
+#include <iostream>
+#include <new>
+
+#include "options.hpp"
+#include "ritz/base/error.hpp"
+#include "ritz/base/printable.hpp"
+#include "ritz/files/claim.hpp"
+#include "ritz/files/interruption.hpp"
+#include "ritz/files/part_file.hpp"
+#include "take.hpp"
+
+namespace {
+
+using namespace ritz;
+
+int fail(int code, const std::string& message) {
+  std::cerr << "ritz-scene: " << printable(message) << '\n';
+  return code;
+}
+
+void write(const decks::Options& options) {
+  std::optional<files::Claim> claim;
+  if (!options.output.empty())
+    claim.emplace(files::Plan{.outputs = {{"--output " + options.output.string(), options.output}},
+                              .inputs = {{"the deck " + options.deck.string(), options.deck}}});
+  const auto taken = decks::take(options);
+  if (claim) {
+    files::PartFile file(options.output);
+    file.write(taken.text);
+    file.finish();
+    claim->verify();
+    file.publish();
+    claim->say_published();
+  } else {
+    std::cout << taken.text;
+  }
+  for (const auto& note : taken.notes) std::cerr << "ritz-scene: warning: " << printable(note) << '\n';
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  files::watch_interruptions("ritz-scene");
+  try {
+    const auto parsed = decks::parse_options(argc, argv);
+    if (const auto* help = std::get_if<decks::Help>(&parsed)) std::cout << help->text;
+    else write(std::get<decks::Options>(parsed));
+    if (std::cout.flush()) return exit_done;
+    return fail(exit_numerical, "standard output could not be written: is it closed, or the disk full?");
+  } catch (const InputError& error) {
+    return fail(exit_input, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(exit_numerical, "there is not enough memory");
+  } catch (const std::exception& error) {
+    return fail(exit_numerical, error.what());
+  }
+}
