@@ -11,7 +11,7 @@ namespace {
 std::vector<std::string> words(const std::vector<std::string>& given) {
   std::vector<std::string> words;
   for (auto word : given) {
-    std::erase(word, ' ');
+    std::erase_if(word, [](char c) { return c == ' ' || c == '*'; });
     for (char& c : word)
       if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
     if (!word.empty()) words.push_back(word);
@@ -40,6 +40,7 @@ std::variant<Options, Help> parse_options(int argc, const char* const* argv) {
       ->type_name("L-M-T");
   app.add_option("--ignore", ignored, "What to leave out on your word, as -ignore of\nritz-reduce: TIE,CENTRIF")
       ->type_name("WORD,...")
+      ->allow_extra_args(false)
       ->delimiter(',');
   app.add_option("--step", options.step,
                  "The step, from 1 (default: the last that is *STATIC,\n*DYNAMIC or *MODAL DYNAMIC)")

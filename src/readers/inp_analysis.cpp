@@ -110,6 +110,19 @@ void refuse_history(const Sources& sources, const InpModel& model, const InpAnal
   }
 }
 
+void refuse_fixed(const Sources& sources, InpModel& model, const InpAnalysis& analysis) {
+  bool loaded = false;
+  for (std::size_t s = 1; s <= analysis.step; ++s) {
+    if (loaded && model.steps[s].fixed)
+      leave_out(
+          sources, *model.steps[s].fixed, "BOUNDARY",
+          "*BOUNDARY, FIXED holds nodes where the loads of an earlier step left them, and a scene holds them where "
+          "they are at rest",
+          model.ignored, model.mesh);
+    loaded = loaded || model.steps[s].loaded;
+  }
+}
+
 void note_way(const Sources& sources, InpModel& model, const InpAnalysis& analysis) {
   const auto& step = model.steps[analysis.step];
   const auto& keyword = step.procedure->keyword;
@@ -173,6 +186,7 @@ InpAnalysis inp_analysis(const Sources& sources, InpModel& model, std::optional<
   if (analysis.motion) check_motion_times(sources, procedure, analysis);
   else read_static_times(analysis);
   refuse_history(sources, model, analysis);
+  refuse_fixed(sources, model, analysis);
   note_way(sources, model, analysis);
   note_supports(sources, model, analysis);
   return analysis;

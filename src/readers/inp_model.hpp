@@ -150,6 +150,7 @@ struct InpStep {
   std::optional<InpLines> procedure = {};
   std::vector<InpLoad> loads = {};
   std::uint64_t supports = 0;       ///< the same for the same supports in effect
+  std::optional<Place> fixed = {};  ///< *BOUNDARY, FIXED: nodes are held where the steps before left them
   std::optional<Place> moved = {};  ///< a displacement other than zero is in effect
   std::vector<InpBoundary> boundaries = {};
   bool own_supports = false;            ///< it has a *BOUNDARY

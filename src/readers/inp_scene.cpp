@@ -69,6 +69,14 @@ scene::Target target_of(const InpModel& model, const InpActing& acting) {
   return model.mesh.sets[model.set_index.at(acting.set)].name;
 }
 
+/// Whether a load is of no size, as one that takes back a load of an earlier step.
+struct IsNothing {
+  bool operator()(const scene::TotalForce& f) const { return f.newton == scene::Vector3{}; }
+  bool operator()(const scene::EachForce& f) const { return f.newton == scene::Vector3{}; }
+  bool operator()(const scene::Pressure& p) const { return p.pascal == 0; }
+  bool operator()(const scene::Traction& t) const { return t.pascal == scene::Vector3{}; }
+};
+
 bool is_force(const scene::Load& load) { return std::holds_alternative<scene::EachForce>(load.kind); }
 
 // The components of a force stand in a line each.
@@ -242,6 +250,7 @@ FileScene read_scene(const std::filesystem::path& path, const Ignored& ignored, 
   Maker make{.sources = sources, .model = model, .analysis = analysis};
   for (const auto& acting : loads) add_load(make, acting);
   for (const auto& gravity : make.gravities) place_gravity(make, gravity);
+  std::erase_if(make.scene.loads, [](const scene::Load& load) { return std::visit(IsNothing{}, load.kind); });
   if (analysis.motion) make.scene.analysis = scene::Time{analysis.increment, analysis.period, std::nullopt};
   else make.scene.analysis = statics(sources, model, analysis);
   if (loads.empty())

@@ -87,6 +87,7 @@ bool yes(const Keyword& keyword, std::string_view parameter) {
 void read_inp_boundary(Deck& deck, const Keyword& keyword, InpModel& model) {
   begin_supports(deck, keyword, model);
   auto& step = model.steps.back();
+  if (keyword.has("FIXED") && !step.fixed) step.fixed = keyword.place;
   while (const auto line = deck.next_data()) {
     const auto parts = fields(*line);
     if (parts.size() < 2 || parts[0].text.empty()) {

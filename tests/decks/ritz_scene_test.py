@@ -155,6 +155,7 @@ class Scenes(OfDecks):
         deck = self.DECK + STATIC.format("*DLOAD\nBAR, BX, 1.\n")
         self.assertEqual(self.scene(deck, "--ignore", "tie,bx").get("load"), None)
         self.assertEqual(len(self.warnings), 3, "BX, no loads, and TIE in vain")
+        self.assertIn("[static]", self.bench.run("ritz-scene", "--ignore", "BX", "m.inp").out)
         self.assertIn("step 2", self.refused(deck, "--step", "2"))
         self.assertIn("m-kg-s", self.refused(deck, "--units", "mm"))
         self.assertIn("--units", self.refused(deck, "--unit", "mm-t-s"))

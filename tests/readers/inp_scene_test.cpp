@@ -235,6 +235,10 @@ const InEffect in_effect[] = {
     {"another load is kept", "*CLOAD\nTip, 1, 1.\n", "*CLOAD\nTip, 2, 2.\n", {"each Tip 1.0 2.0 0.0"}},
     {"the same load is replaced", "*CLOAD\nTip, 1, 1.\n", "*CLOAD\nTip, 1, 2.\n", {"each Tip 2.0 0.0 0.0"}},
     {"a larger set replaces", "*CLOAD\nEdge, 1, 1.\n", "*CLOAD\nTip, 1, 2.\n", {"each Tip 2.0 0.0 0.0"}},
+    {"a load of nothing takes one back",
+     "*CLOAD\nTip, 1, 1.\n7, 1, 1.\n",
+     "*CLOAD\nTip, 1, 0.\n",
+     {"each vertex 7 1.0 0.0 0.0"}},
     {"two loads of a step add up", "", "*CLOAD\nTip, 1, 1.\nTip, 1, 2.\n", {"each Tip 3.0 0.0 0.0"}},
     {"OP=NEW removes forces alone",
      "*CLOAD\nTip, 1, 1.\n*DSLOAD\nRoof, P, 1.\n",
@@ -298,6 +302,9 @@ const Refused refused[] = {
     {"of all or of none", static_step("") + static_step("*CLOAD\nTip, 1, 1.\n*CLOAD, OP=NEW\nTip, 2, 1.\n")},
     {"its amplitude then does",
      static_step("*CLOAD, AMPLITUDE=Blow\nTip, 1, 1.\n") + static_step("*CLOAD\nTip, 2, 1.\n")},
+    {"*BOUNDARY, FIXED",
+     static_step("*CLOAD\nTip, 1, 1.\n") + static_step("*CLOAD, OP=NEW\nTip, 2, 0.\n*BOUNDARY, FIXED\n2, 1\n"),
+     "BOUNDARY"},
     {"*TRANSFORM turns", "*TRANSFORM, NSET=Tip\n0., 1., 0., 1., 0., 0.\n" + static_step("*CLOAD\n9, 1, 1.\n")},
     {"*BASE MOTION", motion("*BASE MOTION, DOF=1, AMPLITUDE=Blow\n"), "BASEMOTION"},
     {"*INITIAL CONDITIONS", "*INITIAL CONDITIONS, TYPE=VELOCITY\nTip, 1, 1.\n" + motion(""), "INITIALCONDITIONS"},
@@ -321,6 +328,9 @@ TEST(DeckScene, WhatIsRefused) {
 
 TEST(DeckScene, StepsByNumber) {
   const auto steps = static_step("*CLOAD\nTip, 1, 1.\n") + static_step("*CLOAD\nTip, 1, 2.\n");
+  EXPECT_THAT(loads_of(taken(static_step("*BOUNDARY, FIXED\n2, 1\n*CLOAD\nTip, 1, 1.\n"))),
+              ElementsAre("each Tip 1.0 0.0 0.0"))
+      << "nothing has moved what is fixed";
   EXPECT_THAT(loads_of(taken(steps, {}, 1)), ElementsAre("each Tip 1.0 0.0 0.0"));
   EXPECT_THAT(refusal(steps, {}, 3), HasSubstr("no step 3; it has 2"));
   EXPECT_THAT(refusal(steps, {}, 0), HasSubstr("no step 0"));
