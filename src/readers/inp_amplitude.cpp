@@ -82,7 +82,12 @@ Points points_of(const Sources& sources, const InpLines& amplitude, const InpAna
     fail(sources, keyword.place, "*AMPLITUDE has TIME=STEP TIME and TIME=TOTAL TIME, not TIME='" + time + "'");
   auto points = listed_points(sources, amplitude);
   if (kind == "SMOOTHSTEP") points = smoothed(points);
-  const double later = shift(sources, keyword, "SHIFTX") - (time == "TOTALTIME" ? analysis.before : 0);
+  if (time == "TOTALTIME" && !analysis.before)
+    fail(sources, keyword.place,
+         "TIME=TOTAL TIME counts from the beginning of the deck, and not every step before this one has a time; give "
+         "the "
+         "amplitude in the time of the step");
+  const double later = shift(sources, keyword, "SHIFTX") - (time == "TOTALTIME" ? *analysis.before : 0);
   const double higher = shift(sources, keyword, "SHIFTY");
   for (auto& [t, value] : points) t += later, value += higher;
   return points;

@@ -53,16 +53,14 @@ void check_motion_times(const Sources& sources, const InpLines& procedure, const
   if (analysis.increment > 0 && analysis.period >= analysis.increment) return;
   fail(sources, procedure.keyword.place,
        "*" + procedure.keyword.title +
-           " needs a time increment, which becomes the step of the scene, and a period that is not less, in the line "
-           "after "
-           "it");
+           " needs a time increment, which becomes the step of the scene, and a period that is not less, in its line");
 }
 
-// The time of the steps before, which TIME=TOTAL TIME counts; nothing of steps that have none.
-double time_before(const Sources& sources, const InpModel& model, std::size_t step) {
+// The time of the steps before, which TIME=TOTAL TIME counts; nothing where not all of them are over time.
+std::optional<double> time_before(const Sources& sources, const InpModel& model, std::size_t step) {
   double time = 0;
   for (std::size_t s = 1; s < step; ++s) {
-    if (!has_scene(model.steps[s])) continue;
+    if (!has_scene(model.steps[s])) return std::nullopt;
     const double period = times_of(sources, *model.steps[s].procedure).period;
     time += period == 0 && model.steps[s].procedure->keyword.name == "STATIC" ? 1 : period;
   }
@@ -100,13 +98,12 @@ void refuse_history(const Sources& sources, const InpModel& model, const InpAnal
     if (analysis.motion || step.preloaded)
       fail(sources, step.place,
            "this step begins where " + which +
-               ", which has loads, leaves the body, and a scene begins at rest; take the scene of "
-               "another step");
+               ", which has loads, leaves the body, and a scene begins at rest; take the scene of another step");
     if (!has_scene(earlier) || earlier.procedure->keyword.name != "STATIC" || earlier.preloaded)
       fail(sources, earlier.place,
            "what the loads of " + which +
-               ", which is not an ordinary *STATIC step, leave for later steps is not clear; "
-               "take the scene of an earlier step");
+               ", which is not an ordinary *STATIC step, leave for later steps is not clear; take the scene of an "
+               "earlier step");
   }
 }
 
@@ -154,8 +151,7 @@ void note_supports(const Sources& sources, InpModel& model, const InpAnalysis& a
     model.mesh.notes.push_back(
         located(sources, step.place) + "this step has other supports than step " +
         std::to_string(model.supported_step) +
-        ", whose supports ritz-reduce and ritz-full take from the deck: say those of this step by "
-        "-fix");
+        ", whose supports ritz-reduce and ritz-full take from the deck: say those of this step by -fix");
 }
 
 }  // namespace

@@ -11,21 +11,18 @@ namespace ritz::readers {
 
 namespace {
 
-/// What in a deck acts on the motion of a body, besides the loads.
+/// A keyword of which no scene is made, and what is said of it.
 struct Beside {
   std::string_view keyword;
   std::string_view what;
 };
 
-constexpr Beside refused_beside[] = {{"BASEMOTION", "*BASE MOTION is not taken over; write [shake] into the scene"}};
-
-constexpr Beside noted_beside[] = {
+constexpr Beside damping[] = {
     {"DAMPING", "*DAMPING is not in the scene; [damping] has alpha and beta of the body"},
     {"MODALDAMPING", "*MODAL DAMPING is not in the scene; [damping] has ratios of the modes, alpha and beta"},
     {"GLOBALDAMPING", "*GLOBAL DAMPING is not in the scene; [damping] has alpha and beta"}};
 
-constexpr Beside thermal[] = {{"CFLUX", ""}, {"DFLUX", ""},   {"DSFLUX", ""},  {"FILM", ""},
-                              {"SFILM", ""}, {"RADIATE", ""}, {"SRADIATE", ""}};
+constexpr std::string_view heating[] = {"CFLUX", "DFLUX", "DSFLUX", "FILM", "SFILM", "RADIATE", "SRADIATE"};
 
 double magnitude_of(const Sources& sources, const InpLoad& load) {
   if (load.fields.size() < 3 || load.fields[2].text.empty())
@@ -144,9 +141,9 @@ scene::Vector3 common(Maker& make, const Gravity& gravity) {
   for (std::size_t c = 0; c < gravity.of_cells.size(); ++c) {
     if (!make.model.mesh.shapes[c].cell) continue;
     if (first && !same_vector(gravity.of_cells[c], *first))
-      fail(make.sources, gravity.place,
-           "GRAV acts on a part of the body, or differs between its parts: the gravity of a scene is that of all "
-           "elements");
+      fail(
+          make.sources, gravity.place,
+          "GRAV acts on a part of the body, or differs between its parts: the gravity of a scene is that of the whole");
     first = gravity.of_cells[c];
   }
   return first.value_or(scene::Vector3{});
@@ -164,10 +161,7 @@ void place_gravity(Maker& make, const Gravity& gravity) {
     add(all, times(at_end, g));
     scene.gravity = all;
     if (gravity.table)
-      note(
-          "the gravity of the scene grows in proportion to the load fraction, whatever this one does on its way; at "
-          "the "
-          "end of the step they are the same");
+      note("the gravity of the scene grows in proportion to the load fraction; at the end of the step it is this one");
     return;
   }
   if (scene.shake)
@@ -198,25 +192,24 @@ scene::Static statics(const Sources& sources, const InpModel& model, const InpAn
   return {std::max(1, static_cast<int>(count))};
 }
 
+// What else in the deck moves the body.
 void look_beside(const Sources& sources, InpModel& model, const InpAnalysis& analysis) {
-  const auto place = [&](std::string_view keyword) -> const Place* {
-    const auto found = model.passed_over.find(std::string(keyword));
-    return found == model.passed_over.end() ? nullptr : &found->second;
+  const auto& passed = model.passed_over;
+  const auto note = [&](std::string_view keyword, const std::string& text) {
+    if (const auto found = passed.find(std::string(keyword)); found != passed.end())
+      model.mesh.notes.push_back(located(sources, found->second) + text);
   };
-  const auto note = [&](Place at, std::string_view text) {
-    model.mesh.notes.push_back(located(sources, at) + std::string(text));
-  };
-  for (const auto& [keyword, what] : refused_beside)
-    if (const auto* at = place(keyword); at && analysis.motion)
-      leave_out(sources, *at, {std::string(keyword)}, std::string(what), model);
-  for (const auto& [keyword, what] : noted_beside)
-    if (const auto* at = place(keyword); at && analysis.motion) note(*at, what);
-  for (const auto& [keyword, what] : thermal)
-    if (const auto* at = place(keyword))
-      note(*at, "*" + std::string(keyword) + " heats the body, which moves nothing in ritz");
+  for (const auto keyword : heating)
+    note(keyword, "*" + std::string(keyword) + " heats the body, which moves nothing in ritz");
   if (model.temperatures)
-    note(*model.temperatures, "*TEMPERATURE is not in the scene, for materials of ritz do not expand");
-  if (model.in_motion && analysis.motion)
+    model.mesh.notes.push_back(located(sources, *model.temperatures) +
+                               "*TEMPERATURE is not in the scene, for materials of ritz do not expand");
+  if (!analysis.motion) return;
+  for (const auto& [keyword, what] : damping) note(keyword, std::string(what));
+  if (const auto found = passed.find("BASEMOTION"); found != passed.end())
+    leave_out(sources, found->second, {"BASEMOTION"},
+              "*BASE MOTION is not taken into the scene, whose [shake] can say it", model);
+  if (model.in_motion)
     leave_out(sources, *model.in_motion, {"INITIALCONDITIONS"},
               "*INITIAL CONDITIONS give the body a motion, and a scene begins at rest", model);
 }

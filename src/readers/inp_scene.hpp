@@ -11,8 +11,8 @@ struct InpAnalysis {
   bool motion;       ///< else statics
   double increment;  ///< the first one, in the deck's time
   double period;
-  double before;  ///< the time of all steps before
-  bool ramped;    ///< a load without an amplitude grows in proportion over the step
+  std::optional<double> before;  ///< the time of all steps before; nothing where one of them has none
+  bool ramped;                   ///< a load without an amplitude grows in proportion over the step
 };
 
 /// Finds the step, reads its procedure, and notes what of it no scene has. Throws InputError.

@@ -291,6 +291,7 @@ const Refused refused[] = {
     {"ascend", "*AMPLITUDE, NAME=Back\n1., 1., 0., 1.\n" + static_step("*CLOAD, AMPLITUDE=Back\nTip, 1, 2.\n")},
     {"pairs", "*AMPLITUDE, NAME=Odd\n1., 1., 2.\n" + static_step("*CLOAD, AMPLITUDE=Odd\nTip, 1, 2.\n")},
     {"time increment", "*STEP\n*DYNAMIC, EXPLICIT\n, 1.\n*CLOAD\nTip, 1, 1.\n*END STEP\n"},
+    {"TOTAL TIME counts", "*STEP\n*FREQUENCY\n3\n*END STEP\n" + static_step("*CLOAD, AMPLITUDE=Clock\nTip, 1, 1.\n")},
     {"RIKS", "*STEP\n*STATIC, RIKS\n*CLOAD\nTip, 1, 1.\n*END STEP\n"},
     {"begins where step 1", static_step("*CLOAD\nTip, 1, 1.\n") + motion("")},
     {"in another way", static_step("*CLOAD\nTip, 1, 1.\n") + static_step("*CLOAD\nEdge, 1, 2.\n")},
