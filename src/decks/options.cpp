@@ -2,19 +2,20 @@
 
 #include <CLI/CLI.hpp>
 
+#include "ritz/base/error.hpp"
+#include "ritz/readers/source.hpp"
 #include "ritz/tools/command_line.hpp"
 
 namespace ritz::decks {
 namespace {
 
-/// "TIE, rigid body" of -ignore -> "TIE", "RIGIDBODY".
-std::vector<std::string> words(const std::vector<std::string>& given) {
-  std::vector<std::string> words;
-  for (auto word : given) {
-    std::erase_if(word, [](char c) { return c == ' ' || c == '*'; });
-    for (char& c : word)
-      if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-    if (!word.empty()) words.push_back(word);
+/// As the readers have them: "*Rigid body" -> "RIGIDBODY".
+readers::Ignored words(const std::vector<std::string>& given) {
+  readers::Ignored words;
+  for (const auto& text : given) {
+    words.push_back(readers::upper(text));
+    std::erase_if(words.back(), [](char c) { return c == ' ' || c == '*'; });
+    if (words.back().empty()) throw InputError("option --ignore: there is an empty word in the list");
   }
   return words;
 }

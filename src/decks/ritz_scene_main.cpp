@@ -19,19 +19,25 @@ int fail(int code, const std::string& message) {
   return code;
 }
 
-void write(const decks::Options& options) {
+void write_file(const std::string& text, const std::filesystem::path& path, const files::Claim& claim) {
+  files::PartFile file(path);
+  file.write(text);
+  file.finish();
+  claim.verify();
+  file.publish();
+  claim.say_published();
+}
+
+void run(const decks::Options& options) {
   std::optional<files::Claim> claim;
-  if (!options.output.empty())
-    claim.emplace(files::Plan{.outputs = {{"--output " + options.output.string(), options.output}},
-                              .inputs = {{"the deck " + options.deck.string(), options.deck}}});
+  const auto& output = options.output;
+  if (!output.empty()) claim.emplace(files::Plan{.outputs = {{"--output " + output.string(), output}}});
   const auto taken = decks::take(options);
   if (claim) {
-    files::PartFile file(options.output);
-    file.write(taken.text);
-    file.finish();
-    claim->verify();
-    file.publish();
-    claim->say_published();
+    std::vector<files::Named> inputs;
+    for (const auto& file : taken.files) inputs.push_back({"the deck " + file.string(), file});
+    claim->refuse(inputs);
+    write_file(taken.text, output, *claim);
   } else {
     std::cout << taken.text;
   }
@@ -45,7 +51,7 @@ int main(int argc, char** argv) {
   try {
     const auto parsed = decks::parse_options(argc, argv);
     if (const auto* help = std::get_if<decks::Help>(&parsed)) std::cout << help->text;
-    else write(std::get<decks::Options>(parsed));
+    else run(std::get<decks::Options>(parsed));
     if (std::cout.flush()) return exit_done;
     return fail(exit_numerical, "standard output could not be written: is it closed, or the disk full?");
   } catch (const InputError& error) {

@@ -56,7 +56,7 @@ Taken take(const Options& options) {
       comment("The loads of " + options.deck.string() + ", " + file.step + ", in SI units; those of the deck are " +
               options.units.name + " (-units of ritz-reduce and ritz-full).");
   for (const auto& note : file.notes) head += comment(note);
-  return {.text = head + scene, .notes = std::move(file.notes)};
+  return {.text = head + scene, .notes = std::move(file.notes), .files = std::move(file.files)};
 }
 
 }  // namespace ritz::decks

@@ -18,8 +18,9 @@ struct Options {
 };
 
 struct Taken {
-  std::string text;                ///< of the scene file, in SI units
-  std::vector<std::string> notes;  ///< one sentence each; they stand at the head of the text as well
+  std::string text;                          ///< of the scene file, in SI units
+  std::vector<std::string> notes;            ///< one sentence each; they stand at the head of the text as well
+  std::vector<std::filesystem::path> files;  ///< the deck and those it includes
 };
 
 /// The scene of a step of a deck (readers/file_scene.hpp says what it is made of). Throws InputError.

@@ -16,6 +16,7 @@ struct FileScene {
   scene::Scene scene;
   std::string step;                ///< "step 2 (*STATIC, FILE:LINE)"
   std::vector<std::string> notes;  ///< what the scene has not of the deck, or has otherwise: one sentence each
+  std::vector<std::filesystem::path> files;  ///< all files that were read: the deck and those it includes
 };
 
 /// The scene of step number `step` (from 1), by default of the last *STATIC, *DYNAMIC or *MODAL DYNAMIC of an .inp

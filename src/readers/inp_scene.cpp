@@ -249,9 +249,12 @@ FileScene read_scene(const std::filesystem::path& path, const Ignored& ignored, 
   if (loads.empty())
     model.mesh.notes.push_back(located(sources, model.steps[analysis.step].place) + "this step has no loads");
   note_idle_words(model);
+  std::vector<std::filesystem::path> files;
+  for (const auto& source : sources) files.push_back(source.path);
   return {.scene = std::move(make.scene),
           .step = called(sources, model, analysis.step),
-          .notes = finish(sources, std::move(model.mesh)).notes};
+          .notes = finish(sources, std::move(model.mesh)).notes,
+          .files = std::move(files)};
 }
 
 }  // namespace ritz::readers

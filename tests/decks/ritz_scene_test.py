@@ -164,6 +164,9 @@ class Scenes(OfDecks):
         deck = self.DECK + STATIC.format("")
         self.take(deck, "--output", "m.inp", code=2)
         self.assertEqual((self.folder / "m.inp").read_text(), deck)
+        self.write("more.inp", "*NSET, NSET=ALL\n1\n")
+        self.take("*INCLUDE, INPUT=more.inp\n" + deck, "--output", "more.inp", code=2)
+        self.assertIn("NSET=ALL", (self.folder / "more.inp").read_text())
 
 
 if __name__ == "__main__":
