@@ -14,13 +14,14 @@ struct Wanted {
   Options options;
   config::Solver solver;
   config::Export exported;
+  config::StaticErrors static_errors;
 };
 
 /// The options that a basis depends on, as they were given.
 std::string made_with(const Options& options) {
   std::string text;
   for (const std::string name : {"modes", "modes_tolerance", "basis_modes", "derivatives", "basis", "basis_tolerance",
-                                 "snapshots", "accuracy", "accuracy_scene"})
+                                 "snapshots", "residual_vectors", "accuracy", "accuracy_scene"})
     if (const auto value = value_of(options, name); !value.empty())
       text += (text.empty() ? "-" : " -") + name + " " + value;
   return text;
@@ -41,7 +42,10 @@ std::string obstacle(const format::ModelReader& in, const Wanted& now) {
   if (then.problem != now.sums.problem) return "its materials or supports are others";
   if (!format::read_modes(in) && !format::read_reduction(in)) return "it has no modes";
   if (format::read_geometry(in).rows != model::Rows::all) return "it stores the surface alone";
-  return format::read_reduction(in) ? obstacle_of_basis(format::read_provenance(in).options, now) : "";
+  if (!format::read_reduction(in)) return "";
+  if (now.static_errors == config::StaticErrors::always && basis_figures(format::read_report(in)).static_errors.empty())
+    return "it was made without -static_error";
+  return obstacle_of_basis(format::read_provenance(in).options, now);
 }
 
 /// The rows of this rank's vertices of these columns.
@@ -82,7 +86,7 @@ Earlier reuse(const config::Config& config, const mesh::Mesh& mesh, const mesh::
   Earlier earlier{algebra::Tall(dofs.owned, 0), {}};
   if (!config.reuse) return earlier;
   const Wanted now{checksums(mesh, dofs, materials), resolved(config, mesh, options.strategy), config.solver,
-                   config.exported};
+                   config.exported, config.static_errors};
   std::string why_not;
   // checksums are of whole datasets, so one rank looks at all of it before all read their shares
   parallel::on_root(mesh.comm, [&] { format::check(format::ModelReader(*config.reuse)); });

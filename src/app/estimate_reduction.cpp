@@ -4,6 +4,7 @@
 #include "ritz/app/estimate.hpp"
 #include "ritz/app/reduced_parts.hpp"
 #include "ritz/app/snapshots.hpp"
+#include "ritz/app/static_loads.hpp"
 #include "ritz/base/shown.hpp"
 #include "ritz/fem/element.hpp"
 #include "ritz/parallel/comm.hpp"
@@ -46,6 +47,23 @@ Points points_of(const mesh::Mesh& mesh) {
 
 double pair_count(double n) { return n * (n + 1) / 2; }
 
+double residual_columns(const Workload& work) {
+  return mesh::components * static_cast<double>(residual_places(work.config, work.problem.mesh).size());
+}
+
+/// Adds the static answers to loads that are solved for beside the modes.
+void add_answers(const Workload& work, ModesEstimate& modes) {
+  const auto& [config, problem, options, rate, memory, ranks, speed, dofs, rows, held] = work;
+  const auto places = answered_places(config, problem, options.strategy, residual_places(config, problem.mesh));
+  if (places.empty()) return;
+  const double columns = mesh::components * static_cast<double>(places.size()),
+               seconds = columns * modes.inverse_seconds;
+  modes.stage.seconds += seconds;
+  modes.stage.memory += 8 * rows * 2 * columns;
+  modes.stage.how +=
+      ", static answers to " + counted(static_cast<std::int64_t>(columns), "load ", "loads ") + shown_seconds(seconds);
+}
+
 /// The vectors that the basis is made of, and its columns at the most.
 struct Vectors {
   double modes = 0, derivatives = 0, snapshots = 0;
@@ -68,6 +86,7 @@ Vectors vectors_of(const Workload& work) {
   }
   v.columns = std::min({v.columns, v.all(), work.dofs});
   if (options.cut.size > 0) v.columns = std::min<double>(v.columns, options.cut.size);
+  v.columns += residual_columns(work);
   if (work.config.forces == config::ReducedForces::polynomial)
     v.columns = std::min(v.columns, static_cast<double>(stages::most_coordinates));
   return v;
@@ -103,8 +122,8 @@ Estimate basis(const Workload& work, const ModesEstimate& modes, const Points& p
   if (v.derivatives > 0)
     how += number_of(v.derivatives, "derivative", "derivatives") + ": loads " + shown_seconds(loads) + ", solves " +
            shown_seconds(solves) + "; ";
-  how += (v.all() > v.snapshots ? "mass-PCA of " : "POD of ") + number_of(v.all(), "vector ", "vectors ") +
-         shown_seconds(cut);
+  how += (v.all() > v.snapshots ? "principal directions of " : "proper orthogonal decomposition (POD) of ") +
+         number_of(v.all(), "vector ", "vectors ") + shown_seconds(cut);
   const double vectors = 3 * v.modes + 2 * v.snapshots + 3 * directions + (v.derivatives > 0 ? 10 * block : 0);
   return {"basis", loads + solves + cut + search, work.held + modes.inverse_memory + 8 * work.rows * vectors, how};
 }
@@ -122,7 +141,7 @@ Estimate witness(const Workload& work, const ModesEstimate& modes, const Points&
   const double pairs = taylor ? pair_count(3) : 0;
   const double seconds =
       (columns * points.forces + pairs * points.loads) / (loop_efficiency * work.rate) + pairs * modes.inverse_seconds;
-  return {"witness", seconds,
+  return {"check", seconds,
           work.held + modes.inverse_memory + 8 * work.rows * (2 * v.modes + 2 * v.columns + 4 * columns),
           taylor && force ? "of the derivatives and of the polynomial"
                           : (taylor ? "of the derivatives" : "of the polynomial")};
@@ -135,6 +154,7 @@ std::vector<Estimate> estimate_stages(const Workload& work, const std::optional<
   ModesEstimate modes;
   if (!earlier) {
     modes = estimate_modes(work);
+    add_answers(work, modes);
     if (work.config.accuracy) stages.push_back(statics(work, modes));
     stages.push_back(modes.stage);
   }

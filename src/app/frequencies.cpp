@@ -71,8 +71,8 @@ std::string modes_lines(const model::Modes& modes, const model::Inertia& inertia
   const double mass = inertia.mass();
   std::string text =
       formatted("mass %.6g kg, centre of mass (%.6g, %.6g, %.6g) m\n", mass, centre.x(), centre.y(), centre.z());
-  text += formatted("inertia about it (xx yy zz xy yz zx): %.5g %.5g %.5g %.5g %.5g %.5g kg m2\n", tensor(0, 0),
-                    tensor(1, 1), tensor(2, 2), tensor(0, 1), tensor(1, 2), tensor(2, 0));
+  text += formatted("moments of inertia about it (xx yy zz xy yz zx): %.5g %.5g %.5g %.5g %.5g %.5g kg m2\n",
+                    tensor(0, 0), tensor(1, 1), tensor(2, 2), tensor(0, 1), tensor(1, 2), tensor(2, 0));
   const bool moving = masses.rows() == modes.eigenvalues.size();
   text += "  mode  kind       frequency Hz    residual";
   text += moving ? "   effective mass x      y      z\n" : "\n";
@@ -95,8 +95,11 @@ std::string modes_lines(const model::Modes& modes, const model::Inertia& inertia
   const auto& c = modes.certificate;
   if (c.kind == model::Certified::inertia)
     text +=
-        formatted("certified: %lld eigenvalues lie below (%.6g Hz)^2 by the inertia of K - sigma M, %lld were found\n",
-                  static_cast<long long>(c.counted), model::frequency(c.shift), static_cast<long long>(c.found));
+        formatted(
+            "certified: none is missing; an independent count (Sturm sequence of K - sigma M) has %lld modes below "
+            "%.6g Hz, as many as were found",
+            static_cast<long long>(c.counted), model::frequency(c.shift)) +
+        (c.found > modes.eigenvalues.size() ? formatted("; the first %td are kept\n", modes.eigenvalues.size()) : "\n");
   else if (std::ranges::count(modes.kinds, model::ModeKind::flexible) > 0)
     text += "not certified: without a factorization nothing counts the modes; -solver direct does\n";
   return text;

@@ -13,6 +13,7 @@
 #include "ritz/app/reduced_parts.hpp"
 #include "ritz/app/resources.hpp"
 #include "ritz/app/snapshots.hpp"
+#include "ritz/app/static_loads.hpp"
 #include "ritz/app/summary.hpp"
 #include "ritz/app/warnings.hpp"
 #include "ritz/app/write_model.hpp"
@@ -33,7 +34,8 @@ std::string mesh_line(const mesh::Mesh& mesh, const mesh::Dofs& dofs) {
 }
 
 void refuse_an_empty_model(const config::Config& config, const mesh::Mesh& mesh, const mesh::Dofs& dofs) {
-  const bool nothing_asked = config.modes.count == 0 && !config.basis && config.exported == config::Export::nothing;
+  const bool nothing_asked = config.modes.count == 0 && !config.basis && !config.residual_vectors &&
+                             config.exported == config::Export::nothing;
   if (nothing_asked && stages::rigid_motions(mesh, dofs).cols() == 0)
     throw InputError(
         "option -modes 0: the body is held, so it has no rigid modes either, and the model would be empty; raise "
@@ -78,6 +80,7 @@ void reduce(MPI_Comm comm, const config::Config& config) {
 
   refuse_an_empty_model(config, body, numbering);
   refuse_forces_without_polynomial(config, body, laws);
+  const auto residual = residual_places(config, body);
   const auto problem = progress.stage(
       "assemble", [&] { return stages::assemble(std::move(body), std::move(numbering), std::move(laws)); });
   const mesh::Mesh& mesh = problem.mesh;
@@ -86,17 +89,20 @@ void reduce(MPI_Comm comm, const config::Config& config) {
   auto earlier = reuse(config, mesh, dofs, problem.materials, options, progress);
   if (config.snapshots && !earlier.basis) count_snapshots(*config.snapshots, mesh);  // before the long work
   if (plan_alone) return foresee(config, problem, options, earlier, outputs, progress);
+  const auto places =
+      earlier.basis ? std::vector<stages::LoadPlace>() : answered_places(config, problem, options.strategy, residual);
+  const StaticLoads static_loads{stages::unit_loads(problem, places), residual};
   const auto path = earlier.basis ? std::nullopt : static_path(config, scene, problem, progress);
   const auto modes = earlier.basis ? earlier.basis->modes : progress.stage("modes", [&] {
-    return stages::linear_modes(problem, options, earlier.modes,
+    return stages::linear_modes(problem, options, earlier.modes, static_loads.solved.columns,
                                 [&](const std::string& what, double fraction) { progress.update(what, fraction); });
   });
   for (const auto& text : modes.notes) progress.warn(text);
   if (!earlier.basis)
     for (const auto& text : stages::linear_cells_warning(problem, modes)) progress.warn(text);
 
-  const auto reduced =
-      earlier.basis ? std::move(earlier.basis->reduced) : reduce_basis(config, problem, modes, path, progress);
+  const auto reduced = earlier.basis ? std::move(earlier.basis->reduced)
+                                     : reduce_basis(config, problem, modes, static_loads, path, progress);
   if (const auto rigid = std::ranges::count(modes.modes.kinds, model::ModeKind::rigid); config.basis && rigid > 0)
     progress.warn("the basis leaves out the body's " + counted(rigid, "rigid motion", "rigid motions") +
                   ": the model neither falls nor flies, and ritz-run refuses loads that would make it");
@@ -123,7 +129,8 @@ void reduce(MPI_Comm comm, const config::Config& config) {
     written.publish();
   });
   progress.line(size_line(extent(mesh, problem.materials), modes.modes) + "\n" + modes_lines(modes.modes, of_modes) +
-                basis_lines(reduced, polynomial, inertia) + peak_memory_line(comm) + "\nwrote " +
+                basis_lines(reduced, polynomial, inertia) +
+                static_error_lines(reduced.figures.static_errors, residual) + peak_memory_line(comm) + "\nwrote " +
                 config.output.string());
 }
 

@@ -1,5 +1,6 @@
 #include "ritz/app/summary.hpp"
 
+#include "ritz/app/static_loads.hpp"
 #include "ritz/format/summaries.hpp"
 
 namespace ritz::app {
@@ -73,6 +74,7 @@ files::Json::Object model_summary(const config::Config& config, const stages::Pr
   summary.emplace_back("derivatives", derivatives_summary(results.basis.figures));
   summary.emplace_back("accuracy", accuracy_summary(results.basis.figures.accuracy));
   summary.emplace_back("polynomial", polynomial_summary(results.polynomial));
+  summary.emplace_back("static_errors", static_error_summary(results.basis.figures.static_errors));
   summary.emplace_back("plan", nullptr);
   return summary;
 }
@@ -80,7 +82,7 @@ files::Json::Object model_summary(const config::Config& config, const stages::Pr
 files::Json::Object plan_summary(const config::Config& config, const stages::Problem& problem, const Earlier& earlier,
                                  const Plan& plan, const Progress& progress) {
   auto summary = beginning(config, problem, earlier, progress);
-  for (const char* absent : {"inertia", "modes", "basis", "derivatives", "accuracy", "polynomial"})
+  for (const char* absent : {"inertia", "modes", "basis", "derivatives", "accuracy", "polynomial", "static_errors"})
     summary.emplace_back(absent, nullptr);
   Json::Array stages;
   for (const auto& [stage, seconds, memory, how] : plan.stages)

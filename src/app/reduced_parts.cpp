@@ -6,6 +6,7 @@
 #include "ritz/app/full_start.hpp"
 #include "ritz/app/scene_loads.hpp"
 #include "ritz/app/snapshots.hpp"
+#include "ritz/app/static_loads.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/base/shown.hpp"
 #include "ritz/stages/reduce_polynomial.hpp"
@@ -86,21 +87,37 @@ ReducedBasis accurate(const stages::Problem& problem, const stages::ModesResult&
   return finished(std::move(basis), Accuracy{target, chosen});
 }
 
+ReducedBasis make_basis(const config::Config& config, const stages::Problem& problem, const stages::ModesResult& modes,
+                        const algebra::Tall& answers, const std::optional<stages::StaticPath>& path,
+                        Progress& progress) {
+  const auto told = [&](const std::string& what, double fraction) { progress.update(what, fraction); };
+  if (path) return accurate(problem, modes, *path, config.accuracy->target, told);
+  if (!config.basis) {
+    const auto residual = stages::residual_vectors(problem, modes.vectors, answers);
+    if (residual.values.size() + modes.vectors.cols() == 0)
+      throw InputError("the loads move nothing", Reason::nothing_spanned);
+    if (residual.values.size() == 0) return {modes.vectors, {}, {}};
+    return finished(stages::joined_basis(problem, modes, residual), {});
+  }
+  algebra::Tall snapshots(problem.dofs.owned, 0);
+  if (config.snapshots) snapshots = read_snapshots(*config.snapshots, problem.mesh, problem.dofs);
+  const auto given = stages::residual_vectors(problem, stages::rigid_modes(modes), answers).vectors;
+  return finished(stages::basis(problem, modes, snapshots, given, *config.basis, told), {});
+}
+
 }  // namespace
 
 ReducedBasis reduce_basis(const config::Config& config, const stages::Problem& problem,
-                          const stages::ModesResult& modes, const std::optional<stages::StaticPath>& path,
-                          Progress& progress) {
-  if (!config.basis) return {modes.vectors, {}, {}};
-  algebra::Tall snapshots(problem.dofs.owned, 0);
-  if (config.snapshots) snapshots = read_snapshots(*config.snapshots, problem.mesh, problem.dofs);
-  const auto told = [&](const std::string& what, double fraction) { progress.update(what, fraction); };
-  auto basis = progress.stage("basis", [&] {
-    return path ? accurate(problem, modes, *path, config.accuracy->target, told)
-                : finished(stages::basis(problem, modes, snapshots, *config.basis, told), {});
-  });
-  if (config.basis->derivatives > 0 || config.accuracy)
-    basis.figures.taylor_slope = progress.stage("witness", [&] { return taylor(problem, modes, config.basis->modes); });
+                          const stages::ModesResult& modes, const StaticLoads& loads,
+                          const std::optional<stages::StaticPath>& path, Progress& progress) {
+  const algebra::Tall joining = answers_at(loads.residual, loads.solved, modes.answers);
+  ReducedBasis basis{modes.vectors, {}, {}};
+  if (config.basis || joining.cols() > 0)
+    basis = progress.stage("basis", [&] { return make_basis(config, problem, modes, joining, path, progress); });
+  const auto& stiffness = basis.reduction ? basis.reduction->stiffness : modes.modes.eigenvalues;
+  basis.figures.static_errors = stages::static_errors(problem, basis.U, stiffness, loads.solved, modes.answers);
+  if (config.accuracy || (config.basis && config.basis->derivatives > 0))
+    basis.figures.taylor_slope = progress.stage("check", [&] { return taylor(problem, modes, config.basis->modes); });
   return basis;
 }
 
@@ -109,36 +126,45 @@ std::optional<ReducedPolynomial> reduce_forces(const config::Config& config, con
   if (config.forces == config::ReducedForces::none) return std::nullopt;
   if (u.cols() > stages::most_coordinates)
     throw InputError("a polynomial of " + std::to_string(u.cols()) + " coordinates is too large (at most " +
-                     std::to_string(stages::most_coordinates) + "); give -basis R, such as -basis 30");
+                     std::to_string(stages::most_coordinates) + "); give -basis R, such as -basis 30" +
+                     (config.residual_vectors ? ", or fewer -residual_vectors" : ""));
   auto value =
       progress.stage("polynomial", [&] { return stages::reduce_polynomial(problem, polynomial_laws(problem), u); });
-  const auto errors = progress.stage("witness", [&] { return stages::polynomial_witness(problem, u, value); });
+  const auto errors = progress.stage("check", [&] { return stages::polynomial_witness(problem, u, value); });
   return ReducedPolynomial{std::move(value), errors};
 }
 
 std::string basis_lines(const ReducedBasis& basis, const std::optional<ReducedPolynomial>& polynomial,
                         const model::Inertia& inertia) {
   if (!basis.reduction) return "";
-  const auto& sigma = basis.reduction->singular_values;
-  std::string text = formatted("basis: %td columns; singular values %.3g ... %.3g of %td found, %.3g left out\n",
-                               basis.reduction->stiffness.size(), sigma[0],
-                               sigma[basis.reduction->stiffness.size() - 1], sigma.size(), basis.reduction->discarded);
+  const auto& [stiffness, residual, sigma, discarded] = *basis.reduction;
+  const auto kept = basis.reduction->kept();
+  std::string text = formatted("basis: %td columns", stiffness.size());
+  if (residual > 0) text += formatted(", %td of them static answers to loads", residual);
+  if (kept > 0)
+    text += formatted("; %td of %td independent directions, of singular values %.3g to %.3g, %.3g left out", kept,
+                      sigma.size(), sigma[0], sigma[kept - 1], discarded);
+  text += '\n';
   const Eigen::RowVector3d masses = 100 / inertia.mass() * inertia.effective_masses().colwise().sum();
   text += formatted("effective mass of the basis, all columns: %.2f %% %.2f %.2f\n", masses[0], masses[1], masses[2]);
-  const auto& [orthonormality, derivatives, taylor_slope, accuracy] = basis.figures;
+  const auto& [orthonormality, derivatives, taylor_slope, static_errors, accuracy] = basis.figures;
   if (derivatives)
-    text += formatted("modal derivatives: %d pairs, %d solved, %d too small to matter; Taylor slope %.3f\n",
-                      derivatives->pairs, derivatives->solved, derivatives->pairs - derivatives->solved,
-                      taylor_slope.value_or(0));
+    text += formatted(
+        "modal derivatives: of %d pairs of modes %d solved, %d too small to matter; checked: the error of a Taylor "
+        "series with them falls with the power %.3f of the amplitude (3 is right)\n",
+        derivatives->pairs, derivatives->solved, derivatives->pairs - derivatives->solved, taylor_slope.value_or(0));
   if (accuracy)
     text += formatted(
-        "accuracy: %d columns of %d modes and their derivatives; error on the static path %.2e (%.2e asked)\n",
+        "accuracy: %d columns of the static answer, %d modes and their derivatives; error on the static path %.2e "
+        "(%.2e "
+        "asked)\n",
         accuracy->reached.columns, accuracy->reached.modes, accuracy->reached.error, accuracy->target);
   if (polynomial)
-    text +=
-        formatted("polynomial: %td quartic coefficients; against the full model: force %.1e, energy %.1e, K(0) %.1e\n",
-                  polynomial->value.quartic.size(), polynomial->errors.force, polynomial->errors.energy,
-                  polynomial->errors.stiffness);
+    text += formatted(
+        "polynomial of the St. Venant-Kirchhoff forces: %td quartic coefficients; checked: differs from the full "
+        "model by %.1e in forces, %.1e in energy, %.1e in stiffness at rest\n",
+        polynomial->value.quartic.size(), polynomial->errors.force, polynomial->errors.energy,
+        polynomial->errors.stiffness);
   return text;
 }
 

@@ -2,11 +2,13 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "ritz/app/progress.hpp"
 #include "ritz/config/config.hpp"
 #include "ritz/scene/scene.hpp"
 #include "ritz/stages/accurate_basis.hpp"
+#include "ritz/stages/static_answers.hpp"
 #include "ritz/stages/witness.hpp"
 
 namespace ritz::app {
@@ -27,7 +29,8 @@ struct Accuracy {
 struct BasisFigures {
   std::optional<double> orthonormality;  ///< max |UᵀMU − I|
   std::optional<stages::DerivativeCounts> derivatives;
-  std::optional<double> taylor_slope;  ///< of the modal derivatives
+  std::optional<double> taylor_slope;              ///< of the modal derivatives
+  std::vector<stages::StaticError> static_errors;  ///< of the loads whose static answers were solved for
   std::optional<Accuracy> accuracy;
 };
 
@@ -43,12 +46,18 @@ struct ReducedPolynomial {
   stages::PolynomialErrors errors;
 };
 
-/// *Collective*. Computes the basis. `path` is the load path on which its error is measured, if an error was requested.
-/// Throws InputError for snapshots or sizes that do not fit, and NumericalError when the requested error cannot be
-/// reached.
+/// The loads for whose static answers the modes' stage solved (ModesResult::answers), and which of them join the basis.
+struct StaticLoads {
+  stages::UnitLoads solved;
+  std::vector<stages::LoadPlace> residual;
+};
+
+/// *Collective*. Computes the basis, and what it misses of static answers. `path` is the load path on which its error
+/// is measured, if an error was requested. Throws InputError for snapshots or sizes that do not fit, and NumericalError
+/// when the requested error cannot be reached.
 ReducedBasis reduce_basis(const config::Config& config, const stages::Problem& problem,
-                          const stages::ModesResult& modes, const std::optional<stages::StaticPath>& path,
-                          Progress& progress);
+                          const stages::ModesResult& modes, const StaticLoads& loads,
+                          const std::optional<stages::StaticPath>& path, Progress& progress);
 
 /// *Collective*. Computes the polynomial; nothing if none was asked for. `u` is the basis over owned vertices. Throws
 /// NumericalError when the witness fails.

@@ -22,6 +22,8 @@ constexpr const char* error = "accuracy_error";
 constexpr const char* modes = "accuracy_modes";
 constexpr const char* columns = "accuracy_columns";
 constexpr const char* taylor_slope = "witness_taylor_slope";
+constexpr std::string_view static_error =
+    "static_error_";  ///< then an axis and, behind a blank, a set if it is not gravity
 }  // namespace names
 
 void add_basis(const BasisFigures& basis, Figures& figures) {
@@ -38,6 +40,21 @@ void add_basis(const BasisFigures& basis, Figures& figures) {
                                    {names::modes, a->reached.modes},
                                    {names::columns, a->reached.columns}});
   if (basis.taylor_slope) figures.emplace_back(names::taylor_slope, *basis.taylor_slope);
+  for (const auto& [place, axis, missing] : basis.static_errors)
+    figures.emplace_back(std::string(names::static_error) + "xyz"[axis] + (place ? " " + *place : ""), missing);
+}
+
+std::vector<stages::StaticError> static_errors(const Figures& figures) {
+  std::vector<stages::StaticError> errors;
+  for (const auto& [name, value] : figures) {
+    if (!name.starts_with(names::static_error) || name.size() <= names::static_error.size()) continue;
+    const auto axis = std::string_view("xyz").find(name[names::static_error.size()]);
+    if (axis == std::string_view::npos) continue;
+    const auto rest = name.substr(names::static_error.size() + 1);
+    const auto place = rest.empty() ? stages::LoadPlace() : stages::LoadPlace(rest.substr(1));
+    errors.push_back({place, static_cast<int>(axis), value});
+  }
+  return errors;
 }
 
 std::optional<double> find(const model::Report& report, const char* name) {
@@ -82,6 +99,7 @@ BasisFigures basis_figures(const model::Report& report) {
                       {.modes = count(report, names::modes),
                        .columns = count(report, names::columns),
                        .error = find(report, names::error).value_or(0)}};
+  basis.static_errors = static_errors(report.figures);
   return basis;
 }
 

@@ -125,6 +125,19 @@ void read_basis(Database& options, Config& config) {
     config.basis = basis;
 }
 
+void read_static_loads(Database& options, Config& config) {
+  config.static_errors = options.flag("static_error") ? StaticErrors::always : StaticErrors::where_cheap;
+  const auto text = options.text("residual_vectors");
+  if (!text) return;
+  ResidualLoads loads;
+  for (const auto& [name, quoted] : parse_names("residual_vectors", *text)) {
+    if (!quoted && name == "all") loads.which = LoadedSets::all;
+    if (!quoted && (name == "gravity" || name == "all")) loads.gravity = GravityLoad::included;
+    else loads.sets.push_back(name);
+  }
+  config.residual_vectors = loads;
+}
+
 /// A target for the error asks for a basis and a polynomial, and leaves nothing else to say of them.
 void read_accuracy(Database& options, Config& config) {
   const auto target = options.real("accuracy");
@@ -136,7 +149,8 @@ void read_accuracy(Database& options, Config& config) {
         "the error is measured");
   if (!(*target >= least_accuracy && *target <= most_accuracy))
     throw InputError("option -accuracy must be between 1e-6 and 0.5");
-  for (const std::string other : {"basis", "basis_tolerance", "basis_modes", "derivatives", "snapshots"})
+  for (const std::string other :
+       {"basis", "basis_tolerance", "basis_modes", "derivatives", "snapshots", "residual_vectors"})
     if (options.has(other)) throw InputError("option -accuracy chooses the basis by itself: leave out -" + other);
   config.accuracy = {*target, *scene};
   config.basis.emplace();
@@ -178,6 +192,7 @@ Config read_config(MPI_Comm comm, Given given, Program program) {
   config.modes.tolerance = options.real("modes_tolerance", 1e-10, 1e-14, 1e-2);
   read_basis(options, config);
   read_accuracy(options, config);
+  read_static_loads(options, config);
   if (program == Program::reduce && (config.accuracy || (config.basis && config.basis->derivatives > 0)))
     config.modes.inverse = stages::InverseUse::kept;
   const auto solvers = solver_options_given(given);

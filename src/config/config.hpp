@@ -49,6 +49,19 @@ struct AccuracyOptions {
   std::filesystem::path scene;
 };
 
+enum class LoadedSets { named, all };
+enum class GravityLoad { left_out, included };
+
+/// The loads whose static answers join the basis as residual vectors.
+struct ResidualLoads {
+  LoadedSets which = LoadedSets::named;
+  GravityLoad gravity = GravityLoad::left_out;
+  std::vector<std::string> sets;  ///< as the user wrote them
+};
+
+/// Whether the static errors of loads are worked out where that takes long.
+enum class StaticErrors { where_cheap, always };
+
 /// Whether the nonlinear forces are reduced.
 enum class ReducedForces { none, polynomial };
 
@@ -66,6 +79,8 @@ struct Config {
   std::optional<stages::BasisOptions> basis;  ///< absent: U consists of the modes
   std::optional<AccuracyOptions> accuracy;    ///< chooses the size of the basis
   std::optional<std::filesystem::path> snapshots;
+  std::optional<ResidualLoads> residual_vectors;
+  StaticErrors static_errors = StaticErrors::where_cheap;
   ReducedForces forces = ReducedForces::none;
   std::optional<std::filesystem::path> reuse;
   StoredRows rows = StoredRows::all;

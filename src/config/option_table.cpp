@@ -40,12 +40,25 @@ constexpr std::array entries = std::to_array<OptionEntry>({
     {"modes_tolerance", "T", "1e-14 ... 1e-2", "1e-10", "relative residual at which Lanczos stops"},
     {"derivatives", "K'", "0 ... modes", "0", "modal derivatives of the first so many modes; a cluster is kept whole"},
     {"basis_modes", "I,J,...", "1 ... modes", "all", "the flexible modes that enter the basis and the derivatives"},
-    {"basis", "R", "1 ... ", "all", "columns of U, cut from modes, derivatives and snapshots by scaled mass-PCA"},
+    {"basis", "R", "1 ... ", "all",
+     "columns of U: the principal directions, by mass, of modes, derivatives and snapshots, scaled by frequency"},
     {"basis_tolerance", "T", "1e-12 ... 0.999", "1e-12",
      "in place of -basis: the smallest singular value kept, relative"},
-    {"snapshots", "FILE", "", "none", "displacements for POD: .npy, or HDF5 with /snapshots; a row of 3n numbers each"},
+    {"snapshots", "FILE", "", "none",
+     "displacements for proper orthogonal decomposition (POD): .npy, or HDF5 with /snapshots; a row of 3n numbers "
+     "each"},
+    {"residual_vectors", "SET,...,gravity | all", "", "none",
+     "the static answers to a unit load on these sets along x, y and z, shared by the vertices as a scene's total, and "
+     "to "
+     "gravity join the basis (all: every set and gravity), beside what -basis counts: with them these loads are exact "
+     "in "
+     "statics as long as displacements are small; a free body answers by inertia relief"},
+    {"static_error", "", "", "off",
+     "say how much of the static answer to a load on each set and to gravity the basis misses also where that takes "
+     "more "
+     "than a few solves: with -solver iterative, for a free body, and for more than 15 sets"},
     {"polynomial", "", "", "off",
-     "reduce the forces of stvk materials to their exact polynomial, for large displacements"},
+     "reduce the forces of stvk (St. Venant-Kirchhoff) materials to their exact polynomial, for large displacements"},
     {"accuracy", "E", "1e-6 ... 0.5", "none",
      "choose modes, derivatives and columns by themselves: the smallest basis whose error on the static load path of "
      "-accuracy_scene, relative and in the M-norm, is below E; with its polynomial"},
@@ -80,9 +93,11 @@ constexpr std::string_view reduce_text =
     "vibration modes, and writes one HDF5 file that ritz-run moves and ritz-inspect prints. Options marked ritz-full\n"
     "are that program's and have no effect here.\n";
 constexpr std::string_view full_text =
-    "Moves a finite element mesh as a scene says, unreduced: statics, or the integrators avf (the default), newmark\n"
-    "and implicit-euler. Writes one HDF5 file of frames, snapshots and the last state, an .xdmf for ParaView,\n"
-    "and tables of probes and energy. Of the options below it looks at those for the mesh, units, supports, materials, "
+    "Moves a finite element mesh as a scene says, unreduced: statics, or the integrators avf (average vector field, "
+    "the\n"
+    "default), newmark and implicit-euler. Writes one HDF5 file of frames, snapshots and the last state, an .xdmf for\n"
+    "ParaView, and tables of probes and energy. Of the options below it looks at those for the mesh, units, supports, "
+    "materials, "
     "the\n"
     "solver, the output and those marked ritz-full; the others are ritz-reduce's and have no effect here.\n";
 

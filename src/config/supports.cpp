@@ -12,8 +12,8 @@
 namespace ritz::config {
 namespace {
 
-[[noreturn]] void refuse(const std::string& text, const std::string& why) {
-  throw InputError("option -fix " + text + ": " + why);
+[[noreturn]] void refuse(const std::string& text, const std::string& why, const std::string& option = "fix") {
+  throw InputError("option -" + option + " " + text + ": " + why);
 }
 
 /// A word of the list: the name that it begins with in double quotes, if any, and what stands after it.
@@ -23,14 +23,14 @@ struct Word {
 };
 
 /// Commas part words; not those within the double quotes that a word begins with.
-std::vector<Word> split(const std::string& text) {
+std::vector<Word> split(const std::string& text, const std::string& option) {
   std::vector<Word> words;
   std::size_t at = 0;
   for (bool more = true; more; ++at) {
     auto& word = words.emplace_back();
     if (at < text.size() && text[at] == '"') {
       const auto close = text.find('"', at + 1);
-      if (close == text.npos) refuse(text, "the quote before '" + text.substr(at + 1) + "' is not closed");
+      if (close == text.npos) refuse(text, "the quote before '" + text.substr(at + 1) + "' is not closed", option);
       word.quoted = text.substr(at + 1, close - at - 1);
       at = close + 1;
     }
@@ -109,10 +109,20 @@ mesh::Fixed named(const Word& word, const std::string& text) {
 
 }  // namespace
 
+std::vector<ListedName> parse_names(const std::string& option, const std::string& text) {
+  std::vector<ListedName> names;
+  for (const auto& [quoted, rest] : split(text, option)) {
+    if (quoted && !rest.empty()) refuse(text, "'" + rest + "' follows a name in quotes; put a comma between", option);
+    names.push_back({quoted.value_or(rest), quoted.has_value()});
+    if (names.back().name.empty()) refuse(text, "there is an empty name in the list", option);
+  }
+  return names;
+}
+
 Supports parse_supports(const std::string& text, const mesh::Units& units) {
   Supports supports;
   if (text == "none") return supports;
-  const auto words = split(text);
+  const auto words = split(text, "fix");
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (!words[i].quoted && words[i].rest.starts_with("box:")) {
       if (i + 6 > words.size()) refuse(text, "a box needs six numbers, box:x0,x1,y0,y1,z0,z1");

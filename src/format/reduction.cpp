@@ -14,6 +14,7 @@ void write_reduction(ModelWriter& out, const model::Reduction& reduction, std::s
   write_vector<double>(out, schema::join(group, schema::singular_values), "mixed, as Eq. 18",
                        view(reduction.singular_values));
   write_attribute(out, group, schema::discarded, reduction.discarded);
+  if (reduction.residual_vectors > 0) write_attribute(out, group, schema::residual_vectors, reduction.residual_vectors);
 }
 
 std::optional<model::Reduction> read_reduction(const ModelReader& in, std::string_view body) {
@@ -23,6 +24,10 @@ std::optional<model::Reduction> read_reduction(const ModelReader& in, std::strin
   reduction.stiffness = read_column(in, schema::join(group, schema::stiffness));
   reduction.singular_values = read_column(in, schema::join(group, schema::singular_values));
   reduction.discarded = read_double(in, group, schema::discarded);
+  if (has_attribute(in, group, schema::residual_vectors))
+    reduction.residual_vectors = read_index(in, group, schema::residual_vectors);
+  require(reduction.residual_vectors >= 0 && reduction.residual_vectors <= reduction.stiffness.size(), in, group,
+          "the number of residual vectors is none of its columns");
   const double rounding = reduction.stiffness.size() > 0 ? 1e-6 * reduction.stiffness.cwiseAbs().maxCoeff() : 0;
   require((reduction.stiffness.array() >= -rounding).all(), in, group, "the diagonal of UᵀKU is negative");
   require(std::ranges::is_sorted(reduction.stiffness), in, group, "the diagonal of UᵀKU does not ascend");

@@ -51,8 +51,9 @@ Json::Object summary(const model::Modes& modes, const model::Inertia* over_modes
 
 Json::Object summary(const model::Reduction& reduction) {
   const auto& sigma = reduction.singular_values;
-  const Eigen::Index columns = reduction.stiffness.size(), kept = std::min(columns, sigma.size());
-  return {{"columns", columns},
+  const Eigen::Index kept = reduction.kept();
+  return {{"columns", reduction.stiffness.size()},
+          {"residual_vectors", reduction.residual_vectors},
           {"singular_values_kept", json_list(sigma.head(kept))},
           {"singular_values_left_out", json_list(sigma.tail(sigma.size() - kept))},
           {"discarded", reduction.discarded}};

@@ -16,6 +16,8 @@ Eigen::Vector3d offset(const Inertia& inertia) {
 
 double frequency(double eigenvalue) { return std::sqrt(std::max(0.0, eigenvalue)) / (2 * std::numbers::pi); }
 
+Eigen::Index Reduction::kept() const { return std::min(singular_values.size(), stiffness.size() - residual_vectors); }
+
 double Inertia::mass() const { return gram(0, 0); }
 
 Eigen::Vector3d Inertia::centre_of_mass() const { return origin + offset(*this); }

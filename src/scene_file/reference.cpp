@@ -12,7 +12,7 @@ step = 1e-3                     # s
 end = 0.5                       # s: the steps go on to the first that reaches it
 integrator = "newmark"          # one of:
                                 #   exact               linear models alone, and their default
-                                #   avf                 keeps the energy; the default of all others
+                                #   avf                 average vector field: keeps the energy; the default of all others
                                 #   newmark             average acceleration, second order
                                 #   generalized-alpha   second order, damps what the step does not resolve
                                 #   bdf2                second order, damps more

@@ -5,9 +5,11 @@
 #include <cstdio>
 #include <limits>
 
+#include "ritz/algebra/matrix.hpp"
 #include "ritz/base/error.hpp"
 #include "ritz/base/shown.hpp"
 #include "ritz/runtime/statics.hpp"
+#include "ritz/stages/static_answers.hpp"
 
 namespace ritz::stages {
 namespace {
@@ -83,12 +85,20 @@ struct Question {
   const PolynomialLaws& laws;
   const ModesResult& modes;
   const StaticPath& path;
+  const algebra::Tall& series;
   double target;
 };
 
-/// The smallest basis of at most `limit` columns cut from the set; or the best there is, which misses the target.
+/// The first `limit` columns of the series and the directions of the set.
+algebra::Tall candidates(const Question& in, const Principal& set, Index limit) {
+  algebra::Tall all(in.series.rows(), in.series.cols() + set.sigma.size());
+  all << in.series, canonical_directions(in.problem, set);
+  return all.leftCols(std::min(limit, all.cols()));
+}
+
+/// The smallest basis of at most `limit` such columns; or the best there is, which misses the target.
 SizedError smallest(const Question& in, const Principal& set, int count, int limit) {
-  const algebra::Tall U = canonical_directions(in.problem, set).leftCols(std::min<Index>(limit, set.sigma.size()));
+  const algebra::Tall U = candidates(in, set, limit);
   const auto path = seen_from(U, in.problem.matrices.mass, in.problem.mesh.comm, in.path);
   SizedError best{count, 0, nothing_found};
   Index r = fewest(path, in.target);
@@ -105,6 +115,20 @@ SizedError smallest(const Question& in, const Principal& set, int count, int lim
   return best;
 }
 
+/// w and Φ_ww, M-orthonormal one after the other; Φ_ww only where it is not along w.
+algebra::Tall taylor_series(const Problem& problem, const ModesResult& modes, const algebra::Tall& load) {
+  const auto& [mesh, dofs, materials, matrices] = problem;
+  const double norm_K = algebra::one_norm(matrices.stiffness);
+  const algebra::Tall rigid = rigid_modes(modes);
+  algebra::Tall series(load.rows(), 2);
+  series.col(0) = static_answers(matrices, modes.inverse, rigid, norm_K, load);
+  auto w = series.leftCols(1);
+  if (algebra::orthonormalise(matrices.mass, rigid, w) == 0) return series.leftCols(0);
+  const mesh::LocalRows local = mesh::with_ghosts(mesh, mesh::to_vertices(mesh, dofs, w), mesh::components);
+  series.col(1) = static_answers(matrices, modes.inverse, rigid, norm_K, derivative_loads(problem, local, 0, 1));
+  return series.leftCols(1 + algebra::orthonormalise(matrices.mass, w, series.rightCols(1)));
+}
+
 [[noreturn]] void give_up(const SizedError& best, int modes) {
   const auto reached = best.error < nothing_found
                            ? formatted("the best, %d columns of %d modes and their derivatives, reached %.2e",
@@ -112,7 +136,8 @@ SizedError smallest(const Question& in, const Principal& set, int count, int lim
                            : "none of them can represent the path to that";
   throw NumericalError(
       formatted(
-          "no basis of the first %d flexible modes and their derivatives is that accurate on the static path (%s)",
+          "no basis of the linear static answer, the first %d flexible modes and their derivatives is that accurate on "
+          "the static path (%s)",
           modes, reached.c_str()),
       Reason::accuracy_out_of_reach);
 }
@@ -121,28 +146,34 @@ SizedError smallest(const Question& in, const Principal& set, int count, int lim
 
 AccurateBasis accurate_basis(const Problem& problem, const PolynomialLaws& laws, const ModesResult& modes,
                              const StaticPath& path, double target, const ModesProgress& progress) {
-  const Question in{problem, laws, modes, path, target};
+  const int all = static_cast<int>(flexible_modes(modes).cols());
+  if (all == 0) give_up({0, 0, nothing_found}, 0);
+  const algebra::Tall series = taylor_series(problem, modes, path.loads.rightCols(1));
+  const Question in{problem, laws, modes, path, series, target};
   const EnteringModes entering{modes.modes.eigenvalues.tail(flexible_modes(modes).cols()), flexible_modes(modes)};
-  const ScaledSource source{problem, modes, entering};
+  const ScaledSource source{problem, modes, entering, series};
   const Cut cut{.size = most_columns};
-  const int all = static_cast<int>(entering.values.size());
+  const int shared = static_cast<int>(series.cols());
   ScaledSet set, taken;
   SizedError closest{0, 0, nothing_found}, best = closest;
-  for (int count = 0, waited = 0; count < all && waited < patience;) {
-    count = whole_cluster(entering.values, count + 1);
+  for (int count = 0, waited = 0;; count = whole_cluster(entering.values, count + 1)) {
     add_modes(source, count, cut, set);
     add_derivatives(source, count, BasisOptions{}.block, cut, progress, set);
     const bool found_before = best.columns > 0;
     const auto found = smallest(in, set.principal, count, found_before ? best.columns - 1 : most_columns);
     if (found.error < closest.error) closest = found;
     waited += found_before;
-    if (!(found.error <= target)) continue;
-    best = found;
-    taken = set;
-    waited = 0;
+    if (found.error <= target) {
+      best = found;
+      taken = set;
+      waited = 0;
+    }
+    const bool smallest_of_all = best.columns > 0 && best.columns <= shared + 1;
+    if (count == all || waited == patience || smallest_of_all) break;
   }
   if (best.columns == 0) give_up(closest, all);
-  return {cut_basis(problem, modes, taken, best.columns), best};
+  const int of_series = std::min(best.columns, shared);
+  return {cut_basis(problem, modes, series.leftCols(of_series), taken, best.columns - of_series), best};
 }
 
 }  // namespace ritz::stages

@@ -16,7 +16,7 @@ struct StaticPath {
 /// equilibrium of the reduced model under UᵀF; infinite if it has none.
 struct SizedError {
   int modes = 0;    ///< K', the number of modes and of modes with derivatives
-  int columns = 0;  ///< r
+  int columns = 0;  ///< r, those of the static path's Taylor series included
   double error = 0;
 };
 
@@ -25,10 +25,12 @@ struct AccurateBasis {
   SizedError chosen;
 };
 
-/// *Collective*. Tries the bases of Eq. 18 made from the first K' = 1, 2, ... flexible modes and all their derivatives,
-/// and takes the one with the fewest columns r whose error is at most `target`. The search ends when three further
-/// values of K' have not made r smaller. Reduced equilibria are computed with the polynomial; one polynomial for each
-/// K' serves all r, because the principal directions of a smaller basis are the first ones of a larger.
+/// *Collective*. Every basis tried begins with the first two terms of the path's Taylor series in the load, w and Φ_ww
+/// with K w = F and K Φ_ww = −(H:w) w, where F is the last load: with them u is right to the order ‖F‖². Then follow
+/// the bases of Eq. 18 made from the first K' = 0, 1, 2, ... flexible modes and all their derivatives. The one with the
+/// fewest columns r whose error is at most `target` is taken. The search ends when three further values of K' have not
+/// made r smaller, or none can. Reduced equilibria are computed with the polynomial; one polynomial for each K' serves
+/// all r, because the columns of a smaller basis span the same as the first ones of a larger.
 ///
 /// Throws a NumericalError that names the best basis found, when no basis of the given modes is accurate enough.
 AccurateBasis accurate_basis(const Problem& problem, const PolynomialLaws& laws, const ModesResult& modes,

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ritz/model/model.hpp"
+#include "ritz/stages/rayleigh_ritz.hpp"
 #include "ritz/stages/scaled_set.hpp"
 
 namespace ritz::stages {
@@ -31,17 +32,27 @@ EnteringModes entering_modes(const ModesResult& modes, const std::vector<int>& c
 /// the largest of their M-norms beside modes. U is rotated so that UᵀKU is diagonal; its signs come from vertex
 /// numbers. It contains no rigid modes.
 ///
+/// U also spans the M-orthonormal columns `given`, such as residual vectors, which no cut leaves out: the cut is that
+/// of what the set has besides them, and they come on top of its size.
+///
 /// Derivatives are processed in blocks: each block enters the decomposition and is discarded. `reduction.discarded`
 /// bounds everything that U leaves out, including what was never solved for. Throws InputError when the set has fewer
 /// independent directions than the cut asks for, and NumericalError when a solve fails.
-BasisResult basis(const Problem& problem, const ModesResult& modes, mesh::FreeRef snapshots,
+BasisResult basis(const Problem& problem, const ModesResult& modes, mesh::FreeRef snapshots, const algebra::Tall& given,
                   const BasisOptions& options, const ModesProgress& progress);
+
+/// *Collective*. The basis of a linear model with residual vectors: all modes as they are, with their eigenvalues as
+/// stiffness, and the residual vectors against them, by ascending stiffness. No singular values belong to it. Throws
+/// NumericalError when they are not orthonormal.
+BasisResult joined_basis(const Problem& problem, const ModesResult& modes, const RitzPairs& residual);
 
 /// *Collective*. The directions of the set. Those with equal σ are rotated as make_canonical does, so that a cut
 /// between them gives the same basis on any number of ranks.
 mesh::FreeRows canonical_directions(const Problem& problem, const Principal& set);
 
-/// *Collective*. The basis of the first `columns` directions, finished as in basis().
-BasisResult cut_basis(const Problem& problem, const ModesResult& modes, const ScaledSet& set, int columns);
+/// *Collective*. The basis of the columns `given` and the first `columns` directions of the set beside them, finished
+/// as in basis().
+BasisResult cut_basis(const Problem& problem, const ModesResult& modes, mesh::FreeRef given, const ScaledSet& set,
+                      int columns);
 
 }  // namespace ritz::stages

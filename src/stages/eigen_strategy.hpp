@@ -27,6 +27,9 @@ Found find_by_krylov_schur(const EigenProblem& problem, int wanted);
 Found find_iteratively(const EigenProblem& problem, int wanted, const algebra::Tall& known,
                        const ModesProgress& progress);
 
+/// *Collective*. A multigrid cycle for K − σM with the safe shift.
+Inverse multigrid_inverse(const EigenProblem& problem);
+
 /// The block size of the iterative strategy for so many wanted pairs.
 int iterative_block(int wanted);
 

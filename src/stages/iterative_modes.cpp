@@ -33,18 +33,23 @@ algebra::Matrix shifted(const Matrices& matrices, double sigma) {
 }
 
 /// What is known already, and smooth columns beside it: one cycle takes the worst off fixed random loads.
-algebra::Tall start_block(const EigenProblem& problem, const algebra::Multigrid& cycle, const algebra::Tall& known,
-                          int width) {
+algebra::Tall start_block(const EigenProblem& problem, const Inverse& cycle, const algebra::Tall& known, int width) {
   const auto fresh = std::max<int>(width - static_cast<int>(known.cols()), 4);
   algebra::Tall start(problem.rigid.rows(), known.cols() + fresh);
   start.leftCols(known.cols()) = known;
-  cycle.apply(algebra::multiply(problem.body.matrices.mass,
-                                fixed_vectors(problem.body.mesh, problem.body.dofs, fresh, lobpcg_start_stream)),
-              start.rightCols(fresh));
+  cycle(algebra::multiply(problem.body.matrices.mass,
+                          fixed_vectors(problem.body.mesh, problem.body.dofs, fresh, lobpcg_start_stream)),
+        start.rightCols(fresh));
   return start;
 }
 
 }  // namespace
+
+Inverse multigrid_inverse(const EigenProblem& problem) {
+  const auto cycle = std::make_shared<const Cycle>(shifted(problem.body.matrices, safe_shift(problem)),
+                                                   near_null_space(problem.body.mesh, problem.body.dofs));
+  return [cycle](const algebra::ConstTallRef& r, algebra::TallRef z) { cycle->multigrid.apply(r, z); };
+}
 
 int iterative_block(int wanted) {
   const int guarded = std::max(wanted + 6, wanted + (wanted + 4) / 5);
@@ -54,13 +59,11 @@ int iterative_block(int wanted) {
 Found find_iteratively(const EigenProblem& problem, int wanted, const algebra::Tall& known,
                        const ModesProgress& progress) {
   progress("multigrid", 0);
-  const auto cycle = std::make_shared<const Cycle>(shifted(problem.body.matrices, safe_shift(problem)),
-                                                   near_null_space(problem.body.mesh, problem.body.dofs));
-  const Inverse inverse = [cycle](const algebra::ConstTallRef& r, algebra::TallRef z) { cycle->multigrid.apply(r, z); };
+  const Inverse inverse = multigrid_inverse(problem);
   LobpcgOptions options;
   options.wanted = wanted;
   auto found = lobpcg(problem.body.matrices.stiffness, problem.body.matrices.mass, problem.norm_K, inverse,
-                      problem.rigid, start_block(problem, cycle->multigrid, known, iterative_block(wanted)), options,
+                      problem.rigid, start_block(problem, inverse, known, iterative_block(wanted)), options,
                       [&](int done, int all) { progress("modes", double(done) / all); });
   if (found.converged < wanted)
     throw NumericalError("the eigensolver (LOBPCG with multigrid) converged to " + std::to_string(found.converged) +

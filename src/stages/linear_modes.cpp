@@ -13,6 +13,7 @@
 #include "ritz/stages/eigen_strategy.hpp"
 #include "ritz/stages/internal_force.hpp"
 #include "ritz/stages/rigid_modes.hpp"
+#include "ritz/stages/static_answers.hpp"
 
 namespace ritz::stages {
 namespace {
@@ -80,14 +81,17 @@ class Search {
   Found found;
   Index kept = 0;
   model::Certificate certificate;
+  mesh::FreeRows answers;
 
-  void run(const algebra::Tall& known) {
-    const Index wanted = std::min<Index>(options_.count + spare_pairs, most_);
-    found = find(static_cast<int>(wanted), known);
-    keep_clusters_whole(wanted);
-    if (options_.strategy == Strategy::iterative) return;
-    certify();
-    if (options_.inverse == InverseUse::kept) keep_inverse();
+  void run(const algebra::Tall& known, mesh::FreeRef loads) {
+    const Index wanted = options_.count > 0 ? std::min<Index>(options_.count + spare_pairs, most_) : 0;
+    if (wanted > 0) {
+      found = find(static_cast<int>(wanted), known);
+      keep_clusters_whole(wanted);
+    }
+    answer(loads);
+    if (wanted > 0 && options_.strategy == Strategy::direct) certify();
+    if (most_ > 0 && options_.inverse == InverseUse::kept) found.inverse = inverse();
   }
 
  private:
@@ -102,10 +106,19 @@ class Search {
     }
   }
 
-  void keep_inverse() {
-    if (options_.slepc)
+  /// What the modes were found with, or would have been; of the direct strategy until its factorization is spent.
+  Inverse inverse() {
+    if (options_.strategy == Strategy::iterative) return found.inverse ? found.inverse : multigrid_inverse(problem_);
+    if (options_.slepc || options_.count == 0)
       solver_->factor(problem_.body.matrices.stiffness, problem_.body.matrices.mass, safe_shift(problem_));
-    found.inverse = [solver = solver_](const algebra::ConstTallRef& b, algebra::TallRef x) { solver->solve(b, x); };
+    return [solver = solver_](const algebra::ConstTallRef& b, algebra::TallRef x) { solver->solve(b, x); };
+  }
+
+  void answer(mesh::FreeRef loads) {
+    answers = algebra::Tall::Zero(loads.rows(), loads.cols());
+    if (loads.cols() == 0 || most_ == 0) return;
+    progress_("static answers", 0);
+    answers = static_answers(problem_.body.matrices, inverse(), problem_.rigid, problem_.norm_K, loads);
   }
 
   Found find(int wanted, const algebra::Tall& known) {
@@ -225,14 +238,15 @@ void check_rigid_energies(const model::Modes& modes, Index rigid) {
 
 }  // namespace
 
-ModesResult linear_modes(const Problem& body, const ModesOptions& options, mesh::FreeRef earlier,
+ModesResult linear_modes(const Problem& body, const ModesOptions& options, mesh::FreeRef earlier, mesh::FreeRef loads,
                          const ModesProgress& progress) {
   const algebra::Tall rigid = rigid_modes(body);
   const EigenProblem problem{body, rigid, algebra::one_norm(body.matrices.stiffness)};
   Search search(problem, options, progress);
-  if (options.count > 0 && flexible_modes(body.dofs, rigid) > 0) search.run(earlier);
-  else search.found.pairs.vectors.resize(rigid.rows(), 0);
+  search.found.pairs.vectors.resize(rigid.rows(), 0);
+  search.run(earlier, loads);
   ModesResult result = summarise(problem, options, search);
+  result.answers = std::move(search.answers);
   result.strategy = options.strategy;
   check_orthonormality(result.modes);
   check_rigid_energies(result.modes, rigid.cols());

@@ -37,6 +37,7 @@ struct ModesResult {
   Strategy strategy = Strategy::direct;
   int iterations = 0;
   Inverse inverse;                 ///< empty if it was spent
+  mesh::FreeRows answers;          ///< static_answers to the loads that were given
   std::vector<std::string> notes;  ///< warnings, one sentence each
 };
 
@@ -59,9 +60,10 @@ using ModesProgress = std::function<void(const std::string& what, double fractio
 /// direct: shift-invert with MUMPS and block Lanczos. Then the inertia of K − σM counts the eigenvalues below a shift σ
 /// beyond the last mode; if the count disagrees, missing modes are searched for, and a difference that remains is a
 /// NumericalError. iterative: LOBPCG with GAMG, which uses the rigid motions as near-null space; not certified.
-/// `earlier`: modes from an earlier run of the same problem, or no columns. Throws NumericalError when fewer modes
+/// `earlier`: modes from an earlier run of the same problem, or no columns. `loads`: loads, N, or no columns; their
+/// static answers are solved for with what finds the modes, before it is spent. Throws NumericalError when fewer modes
 /// converge than requested, when a residual exceeds its bound, or when ΨᵀMΨ differs from I by more than 1e-12.
 ModesResult linear_modes(const Problem& problem, const ModesOptions& options, mesh::FreeRef earlier,
-                         const ModesProgress& progress);
+                         mesh::FreeRef loads, const ModesProgress& progress);
 
 }  // namespace ritz::stages

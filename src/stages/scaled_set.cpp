@@ -2,12 +2,15 @@
 
 #include <algorithm>
 
+#include "ritz/algebra/handle.hpp"
 #include "ritz/stages/canonical.hpp"
 
 namespace ritz::stages {
 namespace {
 
 using Eigen::Index;
+
+constexpr double rounding = 1e-12;  ///< of a vector: what is left of it where the given columns span it
 
 void count_in(const DerivativeCounts& more, DerivativeCounts& all) {
   all.pairs += more.pairs;
@@ -18,6 +21,18 @@ void count_in(const DerivativeCounts& more, DerivativeCounts& all) {
 }
 
 }  // namespace
+
+void add_besides(const algebra::Matrix& M, const algebra::ConstTallRef& given, algebra::Tall vectors, const Cut& cut,
+                 Principal& set) {
+  const MPI_Comm comm = algebra::comm_of(M);
+  const Eigen::ArrayXd sizes = algebra::column_norms(comm, vectors).array();
+  for (int pass = 0; pass < 2 && given.cols() > 0; ++pass)
+    algebra::subtract(vectors, given, algebra::inner(comm, given, algebra::multiply(M, vectors)));
+  const Eigen::ArrayXd rest = algebra::column_norms(comm, vectors).array();
+  for (Index j = 0; j < vectors.cols(); ++j)
+    if (rest[j] <= rounding * sizes[j]) vectors.col(j).setZero();
+  add(M, set, vectors, cut);
+}
 
 int whole_cluster(const Eigen::VectorXd& values, int count) {
   while (count > 0 && count < values.size() && values[count] - values[count - 1] <= cluster_gap * values[count])
@@ -30,7 +45,8 @@ void add_modes(const ScaledSource& source, int count, const Cut& cut, ScaledSet&
   const int fresh = count - set.modes;
   if (fresh <= 0) return;
   const Eigen::VectorXd scale = (values[0] / values.array()).segment(set.modes, fresh);
-  add(source.problem.matrices.mass, set.principal, vectors.middleCols(set.modes, fresh) * scale.asDiagonal(), cut);
+  add_besides(source.problem.matrices.mass, source.given, vectors.middleCols(set.modes, fresh) * scale.asDiagonal(),
+              cut, set.principal);
   set.modes = count;
 }
 
@@ -51,7 +67,8 @@ void add_derivatives(const ScaledSource& source, int count, int block, const Cut
     Eigen::VectorXd scale(static_cast<Index>(derivatives.pairs.size()));
     for (std::size_t p = 0; p < derivatives.pairs.size(); ++p)
       scale[static_cast<Index>(p)] = weight(derivatives.pairs[p]);
-    add(source.problem.matrices.mass, set.principal, derivatives.columns * scale.asDiagonal(), cut);
+    add_besides(source.problem.matrices.mass, source.given, derivatives.columns * scale.asDiagonal(), cut,
+                set.principal);
     progress("derivatives", double(done += static_cast<int>(derivatives.pairs.size())) / all);
   };
   const auto counts = derivatives(

@@ -16,16 +16,22 @@ struct ScaledSource {
   const Problem& problem;
   const ModesResult& modes;  ///< all modes that were found
   const EnteringModes& entering;
+  const algebra::Tall&
+      given;  ///< M-orthonormal columns that the basis has anyhow, or none: the set is M-orthogonal to them
 };
 
 /// The part of { (λ₁/λ_j) ψ_j } ∪ { (λ₁²/(λ_i λ_j)) Φ_ij, i ≤ j } that was added so far, with ψ mass-orthonormal and Φ
-/// from Eq. 15.
+/// from Eq. 15, each less its share in the given columns.
 struct ScaledSet {
   Principal principal;
   int modes = 0;        ///< how many of the entering modes it contains
   int derivatives = 0;  ///< it contains all derivatives of the first so many entering modes
   DerivativeCounts counts;
 };
+
+/// *Collective*. Adds to the set what vectors have besides the M-orthonormal columns `given`.
+void add_besides(const algebra::Matrix& M, const algebra::ConstTallRef& given, algebra::Tall vectors, const Cut& cut,
+                 Principal& set);
 
 /// `count`, raised to the end of the cluster that it would split.
 int whole_cluster(const Eigen::VectorXd& values, int count);

@@ -92,13 +92,18 @@ void describe_modes(const model::Modes& modes, std::ostream& out) {
 }
 
 void describe_reduction(const model::Reduction& reduction, std::ostream& out) {
-  const auto r = reduction.stiffness.size();
+  const auto r = reduction.stiffness.size(), kept = reduction.kept();
   const auto& sigma = reduction.singular_values;
-  out << heading("reduction") << r << " columns of " << sigma.size() << " that were found\n";
+  out << heading("reduction") << r << " columns";
+  if (reduction.residual_vectors > 0)
+    out << ", " << reduction.residual_vectors << " of them residual vectors, the others";
+  if (sigma.size() > 0) out << " of " << sigma.size() << " that were found";
+  else if (reduction.residual_vectors > 0) out << " modes";
+  out << '\n';
   if (r > 0)
     item(out) << formatted("λ of UᵀKU %.6g … %.6g rad²/s²\n", reduction.stiffness[0], reduction.stiffness[r - 1]);
-  if (r > 0 && sigma.size() >= r)
-    item(out) << formatted("singular values %.6g … %.6g, of what is left out %.3g\n", sigma[0], sigma[r - 1],
+  if (kept > 0)
+    item(out) << formatted("singular values %.6g … %.6g, of what is left out %.3g\n", sigma[0], sigma[kept - 1],
                            reduction.discarded);
 }
 

@@ -160,7 +160,9 @@ bool in_equilibrium(const scene::Scene& scene, const std::vector<Term>& terms) {
 }  // namespace
 
 bool lacks_motions(const model::Body& body) {
-  return body.reduction && body.modes && std::ranges::count(body.modes->kinds, model::ModeKind::rigid) > 0;
+  return body.reduction && body.modes &&
+         std::ranges::count(body.modes->kinds, model::ModeKind::rigid) >
+             (body.reduction->stiffness.array() == 0).count();
 }
 
 std::optional<LeftOut> left_out_motions(const scene::Scene& scene, const model::Body& body) {

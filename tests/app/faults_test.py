@@ -76,7 +76,7 @@ class Killed(Faulty):
 
     def test_a_rank_dies_in_any_stage_and_a_new_start_gives_the_same(self):
         waits = {"mesh": lambda process: None}
-        before = ("mesh", "assemble", "modes", "basis", "witness", "polynomial")
+        before = ("mesh", "assemble", "modes", "basis", "check", "polynomial")
         waits |= {f"what follows {stage}": self.after(stage) for stage in before}
         for name, wait in waits.items():
             with self.subTest(name):

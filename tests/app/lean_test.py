@@ -68,7 +68,7 @@ class Lean(InAFolder):
     def test_nonlinear(self):
         nonlinear = [*HELD, "-modes", "4", "-derivatives", "3", "-basis", "6"]
         stages, groups, basis = self.model(*nonlinear)
-        self.assertEqual(stages, ["mesh", "assemble", "modes", "basis", "witness", "inertia", "loads", "write"])
+        self.assertEqual(stages, ["mesh", "assemble", "modes", "basis", "check", "inertia", "loads", "write"])
         self.assertEqual(groups, GROUPS | {"reduction"})
         stages, groups, with_forces = self.model(*nonlinear, "-polynomial")
         self.assertEqual([name for name in stages if name == "polynomial"], ["polynomial"])
@@ -81,7 +81,7 @@ class Lean(InAFolder):
         self.assertEqual(self.stages_of(STATIC), ["mesh", "assemble", "run", "write"])
         self.assertFalse((self.folder / "energy.csv").exists())
         stages, groups, _ = self.model(*HELD, "-modes", "0", "-snapshots", "full.h5", "-polynomial")
-        self.assertEqual(stages, ["mesh", "assemble", "modes", "basis", "polynomial", "witness", "inertia", "loads",
+        self.assertEqual(stages, ["mesh", "assemble", "modes", "basis", "polynomial", "check", "inertia", "loads",
                                   "write"])
         self.assertEqual(groups, GROUPS - {"modes"} | {"reduction", "polynomial"})
         self.move("model.h5", "--scene", "scene.toml", "--quiet")

@@ -139,7 +139,7 @@ class OfModels(Summary):
         self.assertEqual(set(summary), documented("Of every program", "`ritz-reduce` and `ritz-full`", "`ritz-reduce`"))
         plan = summary["plan"]
         self.assertIsNone(summary["modes"])
-        self.assertEqual([row["stage"] for row in plan["stages"]], ["modes", "basis", "witness", "write"])
+        self.assertEqual([row["stage"] for row in plan["stages"]], ["modes", "basis", "check", "write"])
         coming, done = (sum(row["seconds"] for row in rows) for rows in (plan["stages"], summary["stages"]))
         self.assertAlmostEqual(plan["seconds"], coming + done)
         self.assertEqual(f"{plan['seconds']:.1f}", re.search(r"in all +(\S+) s", said)[1])

@@ -53,6 +53,7 @@ inline void expect_same(const std::optional<model::Reduction>& a, const std::opt
   EXPECT_EQ(a->stiffness, b->stiffness);
   EXPECT_EQ(a->singular_values, b->singular_values);
   EXPECT_EQ(a->discarded, b->discarded);
+  EXPECT_EQ(a->residual_vectors, b->residual_vectors);
 }
 
 inline void expect_same(const std::optional<model::Polynomial>& a, const std::optional<model::Polynomial>& b) {

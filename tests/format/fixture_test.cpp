@@ -27,5 +27,13 @@ TEST(Fixture, OfVersion12IsRead) {
   for (const auto& info : contents(in)) EXPECT_NO_THROW(verify(in, info));
 }
 
+/// Before a reduction could have residual vectors.
+TEST(Fixture, OfVersion13IsRead) {
+  const ModelReader in(std::filesystem::path(RITZ_SOURCE "/tests/format/fixtures/model-1.3.h5"));
+  EXPECT_EQ(in.minor_version(), 3);
+  test::expect_same(read(in), test::sample_model());
+  for (const auto& info : contents(in)) EXPECT_NO_THROW(verify(in, info));
+}
+
 }  // namespace
 }  // namespace ritz::format

@@ -33,6 +33,12 @@ TEST(RoundTrip, KeepsAReductionAndItsPolynomial) {
   model.bodies[0].polynomial.reset();
   write(path, model);
   expect_same(read(path), model);
+  model.bodies[0].reduction->residual_vectors = 1;
+  write(path, model);
+  expect_same(read(path), model);
+  model.bodies[0].reduction->residual_vectors = 3;  // of two columns
+  write(path, model);
+  EXPECT_THROW(read(path), InputError);
 }
 
 // HDF5's own memory is suppressed where leaks are looked for: what this layer opens is counted here.

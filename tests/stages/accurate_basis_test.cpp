@@ -24,17 +24,18 @@ using Eigen::Index;
 /// A cantilever that is bent far, and its equilibria under two loads.
 class AccurateBasis : public testing::TestWithParam<const char*> {
  protected:
-  AccurateBasis() {
+  stages::StaticPath equilibria(const Tall& load) const {
     auto model = stages::full_model(r.p, algebra::LinearSolver::direct);
-    path = {Tall(r.p.dofs.owned, 2), Tall(r.p.dofs.owned, 2)};
+    stages::StaticPath path{Tall(r.p.dofs.owned, 2), Tall(r.p.dofs.owned, 2)};
     stages::full_statics(
         model, {.steps = 2}, {0, Tall::Zero(r.p.dofs.owned, 1), 0},
-        [&](double fraction) -> Tall { return fraction * tip_load(); },
+        [&](double fraction) -> Tall { return fraction * load; },
         [&](const stages::StaticState& state, const stages::StaticReport&) {
           const Index level = state.fraction < .75 ? 0 : 1;
-          path.loads.col(level) = state.fraction * tip_load();
+          path.loads.col(level) = state.fraction * load;
           path.truth.col(level) = state.u;
         });
+    return path;
   }
 
   Tall tip_load() const {
@@ -45,8 +46,9 @@ class AccurateBasis : public testing::TestWithParam<const char*> {
     return mesh::from_vertices(r.p.mesh, r.p.dofs, f);
   }
 
-  stages::AccurateBasis choose(double target) const {
-    return stages::accurate_basis(r.p, *stages::polynomial_laws(r.p.materials), r.modes, path, target,
+  stages::AccurateBasis choose(double target) const { return choose(target, path); }
+  stages::AccurateBasis choose(double target, const stages::StaticPath& on) const {
+    return stages::accurate_basis(r.p, *stages::polynomial_laws(r.p.materials), r.modes, on, target,
                                   [](const std::string&, double) {});
   }
 
@@ -70,7 +72,7 @@ class AccurateBasis : public testing::TestWithParam<const char*> {
   }
 
   const Reduced r = reduced(box_of(std::string("box:1,.1,.1/") + GetParam(), false), 5);
-  stages::StaticPath path;
+  const stages::StaticPath path = equilibria(tip_load());
 };
 
 TEST_P(AccurateBasis, HasTheErrorThatItSays) {
@@ -102,9 +104,19 @@ TEST_P(AccurateBasis, IsTheSmallest) {
 TEST_P(AccurateBasis, KeepsClustersWhole) {
   const auto chosen = choose(.02).chosen;
   const auto lambda = r.lambda();
-  if (chosen.modes < lambda.size()) {
+  if (chosen.modes > 0 && chosen.modes < lambda.size()) {
     EXPECT_GT(lambda[chosen.modes] - lambda[chosen.modes - 1], stages::cluster_gap * lambda[chosen.modes]);
   }
+}
+
+// The path's first term answers a small load, its second the first sign of curvature, whatever modes would.
+TEST_P(AccurateBasis, ASmallLoadTakesOneColumnAndALargerOneTwo) {
+  const auto one = choose(1e-5, equilibria(1e-6 * tip_load()));
+  EXPECT_EQ(one.chosen.columns, 1);
+  EXPECT_EQ(one.basis.U.cols(), 1);
+  EXPECT_EQ(one.chosen.modes, 0);
+  const auto two = choose(1e-4, equilibria(1e-2 * tip_load()));
+  EXPECT_EQ(two.chosen.columns, 2);
 }
 
 TEST_P(AccurateBasis, SaysWhatWasReachedWhenTheTargetIsNot) {

@@ -76,7 +76,8 @@ TEST_P(Strategies, EarlierModesSpareWorkAndChangeNothing) {
   ModesOptions options;
   options.count = 12;
   const algebra::Tall earlier = first.vectors.rightCols(flexible(first.modes).size());
-  const auto again = stages::linear_modes(p, options, earlier, [](const std::string&, double) {});
+  const auto again =
+      stages::linear_modes(p, options, earlier, algebra::Tall(p.dofs.owned, 0), [](const std::string&, double) {});
   expect_sound(p, options, again);
   expect_same(p, first, again, 1e-10);
   EXPECT_LT(again.iterations, first.iterations);
@@ -89,7 +90,7 @@ TEST(Residuals, AboveTheirGateSayWhatKeptThemThere) {
   loose.count = 12;
   loose.tolerance = 1e-2;
   try {
-    stages::linear_modes(p, loose, none, [](const std::string&, double) {});
+    stages::linear_modes(p, loose, none, none, [](const std::string&, double) {});
     ADD_FAILURE() << "the gate let them pass";
   } catch (const NumericalError& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("above its gate"));

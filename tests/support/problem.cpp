@@ -79,7 +79,7 @@ Problem problem(mesh::Mesh mesh, const std::vector<mesh::Fixed>& supports, const
 
 stages::ModesResult modes(const Problem& p, stages::ModesOptions options) {
   const algebra::Tall none(p.dofs.owned, 0);
-  auto result = stages::linear_modes(p, options, none, [](const std::string&, double) {});
+  auto result = stages::linear_modes(p, options, none, none, [](const std::string&, double) {});
   expect_sound(p, options, result);
   return result;
 }

@@ -54,7 +54,8 @@ inline stages::DerivativeBlock all_derivatives(const Reduced& r) {
 /// The basis of `options`, without snapshots unless given. *Collective*.
 inline stages::BasisResult basis_of(const Reduced& r, const stages::BasisOptions& options,
                                     const algebra::Tall& snapshots = {}) {
-  return stages::basis(r.p, r.modes, snapshots.cols() ? snapshots : algebra::Tall(r.p.dofs.owned, 0), options,
+  const algebra::Tall none(r.p.dofs.owned, 0);
+  return stages::basis(r.p, r.modes, snapshots.cols() ? snapshots : none, none, options,
                        [](const std::string&, double) {});
 }
 

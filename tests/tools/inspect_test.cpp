@@ -90,6 +90,9 @@ TEST_F(Inspect, TellsAndChecksAReductionAndItsPolynomial) {
       described(test::nonlinear_sample_model()),
       AllOf(HasSubstr("2 columns of 3 that were found"), HasSubstr("singular values 2 … 1, of what is left out 0.25"),
             HasSubstr("3 quadratic, 4 cubic, 5 quartic coefficients, 96 B")));
+  auto residual = test::nonlinear_sample_model();
+  residual.bodies[0].reduction->residual_vectors = 1;
+  EXPECT_THAT(described(residual), AllOf(HasSubstr("1 of them residual vectors"), HasSubstr("singular values 2 … 2")));
   EXPECT_THAT(checked(test::nonlinear_sample_model()), HasSubstr("ok  the polynomial's K̃(0) = UᵀKU to 0.0e+00"));
   const auto wrong = [&](const char* sentence, const std::function<void(model::Body&)>& change) {
     auto model = test::nonlinear_sample_model();

@@ -10,7 +10,7 @@ namespace ritz::format::schema {
 
 inline constexpr std::string_view format_name = "ritz-model";
 inline constexpr int major = 1;  ///< raised when an older reader would misread the file
-inline constexpr int minor = 3;  ///< raised when something is added that an older reader may ignore
+inline constexpr int minor = 4;  ///< raised when something is added that an older reader may ignore
 
 // Attributes of the root.
 inline constexpr auto format = "format";
@@ -81,6 +81,7 @@ inline constexpr auto found = "found";
 inline constexpr auto stiffness = "stiffness";
 inline constexpr auto singular_values = "singular_values";
 inline constexpr auto discarded = "discarded";
+inline constexpr auto residual_vectors = "residual_vectors";
 
 // polynomial
 inline constexpr auto quadratic = "quadratic";

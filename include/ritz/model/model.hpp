@@ -115,12 +115,16 @@ struct SetLoad {
   Eigen::MatrixXd traction;   ///< r x 3, m²/√kg: tractions of 1 Pa along x, y, z
 };
 
-/// How the basis of a model with modal derivatives or snapshots was made (Eqs. 12, 18 of the notes). Absent: the
-/// columns of U are the modes.
+/// How the basis of a model with modal derivatives, snapshots or residual vectors was made (Eqs. 12, 18 of the notes).
+/// Absent: the columns of U are the modes.
 struct Reduction {
-  Eigen::VectorXd stiffness;        ///< the diagonal of UᵀKU, whose other entries are zero, r, ascending, rad²/s²
-  Eigen::VectorXd singular_values;  ///< σ (M-norm) of the vectors that U was made from, descending; U keeps the first r
+  Eigen::VectorXd stiffness;  ///< the diagonal of UᵀKU, whose other entries are zero, r, ascending, rad²/s²; 0: rigid
+  Eigen::Index residual_vectors = 0;  ///< how many directions of U are static answers, whatever their σ
+  Eigen::VectorXd singular_values;  ///< σ (M-norm) of the vectors that the others were cut from, descending, of which
+                                    ///< the first are kept; none where the others are the modes
   double discarded = 0;  ///< √(Σσ²) over all that U leaves out, with a bound for what was not computed; units of σ
+
+  Eigen::Index kept() const;  ///< how many of the singular values belong to directions of U
 };
 
 /// The energy of St. Venant-Kirchhoff material over U (Sec. 3.1 of the notes), exact for the quadrature rules of the
