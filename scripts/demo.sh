@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # From a bare Debian 12 to pictures: installs what is missing and builds the programs. Computes a tuning fork's modes on
-# two ranks, strikes it, and draws what came out (out/fork). Then bends (out/rubber) and twists (out/twist) a rubber
+# two ranks, strikes it, and draws what came out (out/fork). Plucks a bar (out/bar). Then bends (out/rubber) and twists (out/twist) a rubber
 # cantilever far beyond what modes alone can follow, reduced beside full.
 set -euo pipefail
 # shellcheck source=scripts/common.sh
@@ -17,6 +17,11 @@ ritz-inspect --check "$out/model.h5"
 ritz-run "$out/model.h5" --scene config/fork.toml --output "$out/motion.h5" --every 8
 /usr/bin/python3 scripts/plot_modes.py "$out/model.h5" "$out/frequencies.csv" "$out/modes.png"
 /usr/bin/python3 scripts/plot_probes.py "$out/probes.csv" "$out/probes.png"
+
+mkdir -p out/bar
+mpirun -n 2 ritz-reduce -options_file config/bar.opts
+ritz-run out/bar/model.h5 --scene config/bar.toml --output out/bar/motion.h5 --every 25
+/usr/bin/python3 scripts/plot_probes.py out/bar/probes.csv out/bar/probes.png
 
 # reduced_beside_full NAME OPTIONS SCENE TITLE [--twist]
 reduced_beside_full() {
@@ -39,6 +44,7 @@ say "The model:            $out/model.h5 (for ParaView: $out/model.hdf)"
 say "Its frequencies:      $out/frequencies.csv"
 say "The motion:           $out/motion.xdmf (for ParaView), $out/motion.h5"
 say "The probes:           $out/probes.csv"
+say "A plucked bar:        out/bar/model.h5, out/bar/motion.xdmf, out/bar/probes.csv"
 say "Rubber, bent:         out/rubber/model.h5, out/rubber/motion.xdmf, out/rubber/full/full.xdmf"
 say "Rubber, twisted:      out/twist/model.h5, out/twist/motion.xdmf, out/twist/full/full.xdmf"
-say "Pictures:             $out/modes.png, $out/probes.png, out/rubber/motion.png, out/twist/motion.png"
+say "Pictures:             $out/modes.png, $out/probes.png, out/bar/probes.png, out/rubber/motion.png, out/twist/motion.png"

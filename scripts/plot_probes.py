@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
-"""Draws the motion of a run's probes and the spectrum of the liveliest, and prints its strongest tone.
+"""Draws the motion of a run's probes, each quantity in its unit, and the spectrum of the liveliest; prints its strongest
+tone.
 
     plot_probes.py probes.csv picture.png
 """
 import argparse
 import csv
+import re
 
 import matplotlib
 import numpy as np
@@ -12,15 +14,18 @@ import numpy as np
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (after the choice of backend)
 
+QUANTITIES = {"u": ("displacement", "mm", 1e3), "v": ("velocity", "m/s", 1), "a": ("acceleration", "m/s²", 1)}
 CLOSE_UP = 12  # periods of the strongest tone
 PADDING = 8  # the spectrum is drawn this many times finer than the record's own resolution
 
 
 def read(path):
-    """Times, and displacements by column name."""
+    """Times, and signals by column name: NAME_ux of a displacement (m), NAME_vx of a velocity (m/s), NAME_ax (m/s²)."""
     with open(path, newline="") as file:
         rows = csv.reader(file)
-        names = next(rows)
+        names = next(rows, [])
+        if names[:1] != ["t"] or len(names) < 2 or not all(re.search("_[uva][xyz]$", name) for name in names[1:]):
+            raise SystemExit(f"{path} is not a table of probes, as ritz-run and ritz-full write it")
         table = np.array([[float(word) for word in row] for row in rows])
     if table.ndim != 2 or len(table) < 8:
         raise SystemExit(f"{path}: a spectrum wants at least 8 rows")
@@ -42,24 +47,39 @@ def strongest(frequencies, amplitudes):
     return frequencies[top] + shift * (frequencies[1] - frequencies[0])
 
 
+def liveliest(columns):
+    """The column that varies most, of displacements if there are any, else of velocities, else of accelerations."""
+    measured = next(letter for letter in QUANTITIES if any(label[-2] == letter for label in columns))
+    return max((label for label in columns if label[-2] == measured), key=lambda label: columns[label].std())
+
+
 def draw(times, columns, name, path):
+    """The axis of `name`, of every quantity."""
     frequencies, amplitudes = spectrum(times, columns[name])
     tone = strongest(frequencies, amplitudes)
-    component = name[-3:]
-    figure, (whole, close, tones) = plt.subplots(3, 1, figsize=(9, 9), layout="constrained")
-    for axes in (whole, close):
+    start, end, axis = 1e3 * times[0], 1e3 * times[-1], name[-1]
+    shown = [letter for letter in QUANTITIES if any(label.endswith(letter + axis) for label in columns)]
+    near = start + 1e3 * CLOSE_UP / tone
+    if near < end:
+        shown.append(name[-2])
+    figure, panels = plt.subplots(len(shown) + 1, 1, figsize=(9, 3 * len(shown) + 3), layout="constrained")
+    *motions, tones = panels
+    for axes, letter in zip(motions, shown):
+        quantity, unit, scale = QUANTITIES[letter]
         for label, signal in columns.items():
-            if label.endswith(component):
-                axes.plot(1e3 * times, 1e3 * signal, linewidth=0.8, label=label)
-        axes.set(xlabel="time, ms", ylabel="displacement, mm")
-    whole.legend(loc="upper right")
-    whole.set(title="Motion of the probes", xlim=(0, 1e3 * times[-1]))
-    close.set(title="Its beginning", xlim=(0, min(1e3 * times[-1], 1e3 * CLOSE_UP / tone)))
-    tones.semilogy(frequencies, 1e3 * amplitudes, linewidth=0.9)
-    tones.set(title=f"Spectrum of {name}", xlabel="frequency, Hz", ylabel="amplitude, mm",
-              xlim=(0, min(frequencies[-1], 12 * tone)), ylim=(1e3 * amplitudes.max() * 1e-6, 4e3 * amplitudes.max()))
-    tones.annotate(f"{tone:.1f} Hz", (tone, 1e3 * amplitudes.max()), xytext=(8, 0), textcoords="offset points")
-    for axes in (whole, close, tones):
+            if label.endswith(letter + axis):
+                axes.plot(1e3 * times, scale * signal, linewidth=0.8, label=label)
+        axes.set(xlabel="time, ms", ylabel=f"{quantity}, {unit}", xlim=(start, end))
+        axes.legend(loc="upper right")
+    motions[0].set(title="Motion of the probes")
+    if near < end:
+        motions[-1].set(title="Its beginning", xlim=(start, near))
+    _, unit, scale = QUANTITIES[name[-2]]
+    tones.semilogy(frequencies, scale * amplitudes, linewidth=0.9)
+    tones.set(title=f"Spectrum of {name}", xlabel="frequency, Hz", ylabel=f"amplitude, {unit}",
+              xlim=(0, min(frequencies[-1], 12 * tone)), ylim=scale * amplitudes.max() * np.array([1e-6, 4]))
+    tones.annotate(f"{tone:.1f} Hz", (tone, scale * amplitudes.max()), xytext=(8, 0), textcoords="offset points")
+    for axes in panels:
         axes.grid(alpha=0.3)
     figure.savefig(path, dpi=110)
     return tone
@@ -71,7 +91,7 @@ def main():
     parser.add_argument("picture")
     options = parser.parse_args()
     times, columns = read(options.probes)
-    name = max(columns, key=lambda label: columns[label].std())
+    name = liveliest(columns)
     print(f"strongest tone of {name}: {draw(times, columns, name, options.picture):.1f} Hz")
 
 

@@ -49,12 +49,15 @@ FullResult run_statics(stages::FullModel& model, const scene::Scene& scene, cons
           .balance = {}};
 }
 
+stages::DynamicOptions dynamic_options(const scene::Scene& scene) {
+  const auto& time = std::get<scene::Time>(scene.analysis);
+  return {.integrator = integrator_of(time), .alpha = scene.damping.alpha, .beta = scene.damping.beta, .dt = time.step};
+}
+
 FullResult run_dynamics(stages::FullModel& model, const scene::Scene& scene, const stages::DynamicState& start,
                         std::int64_t steps, const stages::LoadAt& load, FullRecorder& recorder,
                         const Reached& reached) {
-  const auto& time = std::get<scene::Time>(scene.analysis);
-  const stages::DynamicOptions options{
-      .integrator = integrator_of(time), .alpha = scene.damping.alpha, .beta = scene.damping.beta, .dt = time.step};
+  const auto options = dynamic_options(scene);
   auto first = start.t > 0 ? start : stages::start_dynamics(model, options, start, load);
   if (first.a.cols() == 0) first.a = stages::balanced_acceleration(model, options, first, load);
   const auto energy = [](const stages::DynamicState& state) { return state.energies.kinetic + state.energies.elastic; };
@@ -78,11 +81,11 @@ FullResult run_dynamics(stages::FullModel& model, const scene::Scene& scene, con
 
 /// Times, energies and probes of all steps are held until the end.
 void refuse_beyond_room(const config::Config& config, const scene::Scene& scene, const mesh::Mesh& mesh, double from) {
-  constexpr double energies = 110, probe = 50;  // bytes of text
+  constexpr double energies = 110, number = 17;  // bytes of text
   scene::Recording recording;
   recording.steps = std::max<std::int64_t>(step_count_from(scene, from), 0);
   recording.frames = scene::frame_count({config.full.frames, config.full.every}, recording.steps);
-  recording.bytes_a_step = 8 + energies + probe * static_cast<double>(scene.probes.size());
+  recording.bytes_a_step = 8 + energies + number * static_cast<double>(scene::probe_columns(scene.probes).size());
   recording.bytes_a_frame = 24 * static_cast<double>(mesh.vertices_total);
   const double memory = free_memory_per_rank(mesh.comm);
   parallel::on_root(mesh.comm, [&] { scene::refuse_beyond_room(recording, config.output, memory); });
@@ -103,9 +106,11 @@ void simulate(MPI_Comm comm, const config::Config& config) {
 
   const auto checksum = checksums(mesh, dofs, materials).problem;
   if (config.full.restart)
-    if (const auto unchecked = verify_last_state(comm, *config.full.restart); !unchecked.empty())
+    if (const auto unchecked =
+            verify_last_state(comm, *config.full.restart, "-restart " + config.full.restart->string());
+        !unchecked.empty())
       progress.warn(unchecked);
-  const auto start = first_state(config, mesh, dofs, scene, checksum);
+  auto start = first_state(config, mesh, dofs, scene, checksum);
   refuse_beyond_room(config, scene, mesh, start.t);
   const auto times = times_from(scene, start.t);
   const auto steps = static_cast<std::int64_t>(times.size()) - 1;
@@ -115,7 +120,12 @@ void simulate(MPI_Comm comm, const config::Config& config) {
       "assemble", [&] { return stages::assemble(std::move(mesh), std::move(dofs), std::move(materials)); });
   const auto load = scene_loads(scene, problem);
   auto model = stages::full_model(problem, linear_solver(config, problem.dofs));
-  FullRecorder recorder(config, scene, problem, plan(scene, times, frames), frames);
+  if (start.t == 0 && scene.initial && std::holds_alternative<scene::StaticStart>(*scene.initial))
+    start = progress.stage("start", [&] { return static_start(model, load); });
+  const Balanced balanced = [&](const stages::DynamicState& state) {
+    return stages::balanced_acceleration(model, dynamic_options(scene), state, load);
+  };
+  FullRecorder recorder(config, scene, problem, plan(scene, times, frames), frames, balanced);
   stages::DynamicState last = start;
   const Reached reached = [&](const stages::DynamicState& state, const Effort& so_far) {
     recorder.step(state, so_far);
@@ -136,8 +146,8 @@ void simulate(MPI_Comm comm, const config::Config& config) {
     if (summary) summary->publish();
     recorder.publish();
   });
-  progress.line(result_lines(result, problem.dofs.total) + "\n" + peak_memory_line(comm) + "\nwrote " +
-                config.output.string());
+  progress.line(result_lines(result, problem.dofs.total) + "\n" + peak_memory_line(comm) + "\n" + outputs.replaced() +
+                "wrote " + config.output.string());
 }
 
 }  // namespace ritz::app

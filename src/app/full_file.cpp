@@ -59,8 +59,6 @@ std::vector<std::int64_t> gathered(MPI_Comm comm, std::span<const std::int64_t> 
   return all;
 }
 
-std::string restart_of(const std::filesystem::path& path) { return "-restart " + path.string(); }
-
 }  // namespace
 
 FullFile::FullFile(const std::filesystem::path& path, const mesh::Mesh& mesh, const fem::Materials& materials,
@@ -108,24 +106,23 @@ void FullFile::publish() {
   parallel::on_root(comm_, [&] { file_->publish(); });
 }
 
-std::string verify_last_state(MPI_Comm comm, const std::filesystem::path& path) {
+std::string verify_last_state(MPI_Comm comm, const std::filesystem::path& path, const std::string& name) {
   std::string warning;
   parallel::on_root(comm, [&] {
-    if (!format::LastStateReader(path, restart_of(path)).verify())
-      warning = restart_of(path) +
-                ": an earlier ritz-full wrote it without checksums, so damage in its last state goes unseen";
+    if (!format::LastStateReader(path, name).verify())
+      warning = name + ": an earlier ritz-full wrote it without checksums, so damage in its last state goes unseen";
   });
   return warning;
 }
 
-LastState read_last_state(const std::filesystem::path& path, const mesh::Mesh& mesh,
+LastState read_last_state(const std::filesystem::path& path, const std::string& name, const mesh::Mesh& mesh,
                           const std::string& problem_checksum) {
   LastState state;
   const auto slice = parallel::even_slice(mesh.comm, mesh.vertices_total);
   parallel::RowMatrix rows;
   parallel::together(mesh.comm, [&] {
-    const auto refuse = [&](const std::string& why) { throw InputError(restart_of(path) + ": " + why); };
-    const format::LastStateReader in(path, restart_of(path));
+    const auto refuse = [&](const std::string& why) { throw InputError(name + ": " + why); };
+    const format::LastStateReader in(path, name);
     const auto record = in.record();
     if (record.problem_checksum != problem_checksum) refuse("it was written for another mesh, material or support");
     const auto& known = scene::integrator_names;

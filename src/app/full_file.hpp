@@ -48,13 +48,13 @@ class FullFile {
 };
 
 /// *Collective*. Verifies the checksums of the last state, which rank 0 reads; to be called before read_last_state.
-/// Returns a warning if the file has no checksums, else an empty text. Throws InputError on all ranks for a damaged
-/// file.
-std::string verify_last_state(MPI_Comm comm, const std::filesystem::path& path);
+/// `name` stands for the path in messages. Returns a warning if the file has no checksums, else an empty text. Throws
+/// InputError on all ranks for a damaged file.
+std::string verify_last_state(MPI_Comm comm, const std::filesystem::path& path, const std::string& name);
 
 /// *Collective*. Reads the last state of an earlier run. Throws InputError on all ranks when the file was not written
 /// by ritz-full, or belongs to another problem.
-LastState read_last_state(const std::filesystem::path& path, const mesh::Mesh& mesh,
+LastState read_last_state(const std::filesystem::path& path, const std::string& name, const mesh::Mesh& mesh,
                           const std::string& problem_checksum);
 
 }  // namespace ritz::app

@@ -40,10 +40,11 @@ std::string row(double t, const Eigen::VectorXd& values) {
 }  // namespace
 
 FullRecorder::FullRecorder(const config::Config& config, const scene::Scene& scene, const stages::Problem& problem,
-                           const FullPlan& plan, std::vector<std::int64_t> frame_states)
+                           const FullPlan& plan, std::vector<std::int64_t> frame_states, Balanced acceleration)
     : mesh_(problem.mesh),
       dofs_(problem.dofs),
       probes_(scene, mesh_),
+      acceleration_(std::move(acceleration)),
       file_(config.output, mesh_, problem.materials, plan),
       integrator_(integrator_name(scene)),
       kind_(std::holds_alternative<scene::Time>(scene.analysis) ? StateKind::moving : StateKind::at_rest),
@@ -73,7 +74,12 @@ void FullRecorder::record(const stages::DynamicState& state) {
   Eigen::VectorXd energies(5);
   energies << e.kinetic, e.elastic, e.work, e.dissipated, e.drift();
   energy_rows_ += row(state.t, energies);
-  if (probe_file_) probe_rows_ += row(state.t, probes_.at(u));
+  if (probe_file_) {
+    std::array<mesh::VertexRows, 3> moment = {u, {}, {}};
+    if (probes_.any(scene::Quantity::velocity)) moment[1] = mesh::to_vertices(mesh_, dofs_, state.v);
+    if (probes_.any(scene::Quantity::acceleration)) moment[2] = mesh::to_vertices(mesh_, dofs_, acceleration_(state));
+    probe_rows_ += row(state.t, probes_.at(moment));
+  }
   if (next_frame_ < frame_states_.size() && frame_states_[next_frame_] == state_) {
     file_.frame(u);
     ++next_frame_;

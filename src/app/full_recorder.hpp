@@ -36,13 +36,16 @@ class FullTiming {
   std::chrono::steady_clock::time_point begin_;
 };
 
+/// *Collective*. The acceleration of a state that is in balance with it, m/s².
+using Balanced = std::function<mesh::FreeRows(const stages::DynamicState&)>;
+
 /// Records the states of a run one by one.
 class FullRecorder {
  public:
-  /// *Collective*. `frame_states` are ascending, one for each frame time of the plan. The problem must outlive this
-  /// object.
+  /// *Collective*. `frame_states` are ascending, one for each frame time of the plan. Probes of accelerations, if there
+  /// are any, measure what `acceleration` returns. The problem must outlive this object.
   FullRecorder(const config::Config& config, const scene::Scene& scene, const stages::Problem& problem,
-               const FullPlan& plan, std::vector<std::int64_t> frame_states);
+               const FullPlan& plan, std::vector<std::int64_t> frame_states, Balanced acceleration);
 
   /// *Collective*. Records the state with which the run begins.
   void start(const stages::DynamicState& state);
@@ -59,6 +62,7 @@ class FullRecorder {
   const mesh::Mesh& mesh_;
   const mesh::Dofs& dofs_;
   SceneProbes probes_;
+  Balanced acceleration_;
   FullFile file_;
   std::optional<PendingFile> probe_file_, energy_file_;
   std::optional<FullTiming> timing_;

@@ -74,6 +74,11 @@ void Outputs::publish(const std::function<void()>& give_names) const {
   if (claim_) claim_->say_published();
 }
 
+std::string Outputs::replaced() const {
+  const auto files = claim_ ? claim_->replaced() : std::string();
+  return files.empty() ? "" : files + "\n";
+}
+
 Outputs claim_model(MPI_Comm comm, const config::Config& config) {
   auto plan = common(config);
   plan.outputs.push_back(of_option("output", config.output));
@@ -100,6 +105,12 @@ Outputs claim_motion(MPI_Comm comm, const config::Config& config, const scene::S
   plan.outputs.push_back(of_option("output", config.output));
   if (config.summary) plan.outputs.push_back(of_option("summary", *config.summary));
   plan.inputs.push_back(of_option("scene", config.full.scene));
+  const auto* stored = scene.initial ? std::get_if<scene::StoredStart>(&*scene.initial) : nullptr;
+  if (stored != nullptr && !config.full.restart) {
+    plan.inputs.push_back({"the motion " + stored->motion.string() + " of [initial]", stored->motion});
+    if (!stored->model.empty())
+      plan.inputs.push_back({"the model " + stored->model.string() + " of [initial]", stored->model});
+  }
   if (config.full.restart) plan.replaceable.push_back(of_option("restart", *config.full.restart));
   if (config.full.frames.value_or(1) > 0)
     plan.outputs.push_back(beside("the file", format::xdmf_path(config.output, "-output " + config.output.string())));

@@ -48,6 +48,9 @@ class Outputs {
   /// it is done. Throws InputError when another run has written one of them meanwhile.
   void publish(const std::function<void()>& give_names) const;
 
+  /// As files::Claim::replaced, with a line break behind it, on rank 0; elsewhere empty.
+  std::string replaced() const;
+
  private:
   MPI_Comm comm_;
   std::optional<files::Claim> claim_;

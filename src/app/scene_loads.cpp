@@ -105,9 +105,9 @@ stages::LoadAt scene_loads(const scene::Scene& scene, const stages::Problem& pro
   };
 }
 
-SceneProbes::SceneProbes(const scene::Scene& scene, const mesh::Mesh& mesh) : comm_(mesh.comm) {
-  for (const auto& probe : scene.probes) {
-    Probe found{probe.name, {}, 1};
+SceneProbes::SceneProbes(const scene::Scene& scene, const mesh::Mesh& mesh) : comm_(mesh.comm), asked_(scene.probes) {
+  for (const auto& probe : asked_) {
+    Probe found{{}, 1};
     if (const auto* name = std::get_if<std::string>(&probe.target)) {
       const mesh::Set& set = find_set(mesh, *name);
       found.total = static_cast<double>(set.vertices_total);
@@ -126,16 +126,20 @@ SceneProbes::SceneProbes(const scene::Scene& scene, const mesh::Mesh& mesh) : co
 
 std::string SceneProbes::header() const {
   std::string text = "t";
-  for (const auto& probe : probes_)
-    for (const auto* component : {"_ux", "_uy", "_uz"}) text += "," + probe.name + component;
+  for (const auto& column : scene::probe_columns(asked_)) text += "," + column;
   return text;
 }
 
-Eigen::VectorXd SceneProbes::at(mesh::VertexRef u) const {
-  Eigen::VectorXd values = Eigen::VectorXd::Zero(mesh::components * static_cast<Eigen::Index>(probes_.size()));
+Eigen::VectorXd SceneProbes::at(const std::array<mesh::VertexRows, 3>& moment) const {
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(std::ssize(scene::probe_columns(asked_)));
+  Eigen::Index at = 0;
   for (std::size_t p = 0; p < probes_.size(); ++p)
-    for (const int v : probes_[p].vertices)
-      mesh::at_vertex(values, static_cast<Eigen::Index>(p)) += mesh::at_vertex(u.col(0), v) / probes_[p].total;
+    for (const auto quantity : asked_[p].quantities) {
+      const auto& rows = moment[static_cast<std::size_t>(quantity)];
+      for (const int v : probes_[p].vertices)
+        mesh::at_vertex(values, at) += mesh::at_vertex(rows.col(0), v) / probes_[p].total;
+      ++at;
+    }
   parallel::sum_in_place(comm_, values);
   return values;
 }

@@ -1,6 +1,7 @@
 // The sets and vertices that a scene names, its loads as vectors of the full model, and the displacements of its
 // probes.
 #pragma once
+#include <array>
 #include <vector>
 
 #include "ritz/mesh/mesh.hpp"
@@ -27,24 +28,25 @@ void require_vertex(const mesh::Mesh& mesh, std::int64_t id);
 /// surface.
 stages::LoadAt scene_loads(const scene::Scene& scene, const stages::Problem& problem);
 
-/// The displacements of a scene's probes.
+/// What a scene's probes measure.
 class SceneProbes {
  public:
   /// *Collective*. Throws InputError as above.
   SceneProbes(const scene::Scene& scene, const mesh::Mesh& mesh);
 
-  std::string header() const;  ///< "t,NAME_ux,NAME_uy,NAME_uz,..."
-  /// *Collective*. Three numbers for each probe, m: the displacement of a vertex, or the unweighted mean over a set.
-  /// `u` has rows of owned vertices.
-  Eigen::VectorXd at(mesh::VertexRef u) const;
+  std::string header() const;  ///< t and the columns of scene::probe_columns, with commas between
+  bool any(scene::Quantity quantity) const { return scene::any_measures(asked_, quantity); }
+  /// *Collective*. The numbers of a row behind t: of a vertex, or the unweighted mean over a set. `moment` has the rows
+  /// of owned vertices of each quantity (displacement, velocity, acceleration: m, m/s, m/s²) that a probe measures.
+  Eigen::VectorXd at(const std::array<mesh::VertexRows, 3>& moment) const;
 
  private:
   struct Probe {
-    std::string name;
     std::vector<int> vertices;  ///< owned
     double total;               ///< number of vertices on all ranks
   };
   MPI_Comm comm_;
+  std::vector<scene::Probe> asked_;
   std::vector<Probe> probes_;
 };
 

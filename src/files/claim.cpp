@@ -147,6 +147,13 @@ void Claim::verify() const {
                        "choose another name");
 }
 
+std::string Claim::replaced() const {
+  std::string files;
+  for (std::size_t i = 0; i < before_.size(); ++i)
+    if (before_[i]) files += (files.empty() ? "replaced " : ", ") + plan_.outputs[i].path.string();
+  return files;
+}
+
 void Claim::say_published() const { say_when_interrupted(plan_.outputs.front().path.string() + " is whole"); }
 
 }  // namespace ritz::files

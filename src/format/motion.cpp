@@ -13,16 +13,11 @@ namespace {
 
 namespace names = schema::motion;
 
-/// HDF5 1.10's layout has checksums on HDF5's own records.
-Properties access_of(MotionFile::Records records) {
-  Properties access(H5Pcreate(H5P_FILE_ACCESS));
-  if (records == MotionFile::Records::checked) H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110);
-  return access;
-}
-
-/// The list is closed after the file is judged: a call that succeeds wipes what HDF5 says of the one that failed.
-File create_file(const std::filesystem::path& path, MotionFile::Records records) {
-  const auto access = access_of(records);
+/// HDF5 1.10's layout has checksums on HDF5's own records. The list is closed after the file is judged: a call that
+/// succeeds wipes what HDF5 says of the one that failed.
+File create_file(const std::filesystem::path& path) {
+  const Properties access(H5Pcreate(H5P_FILE_ACCESS));
+  H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110);
   File file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()));
   require_written(static_cast<bool>(file));
   return file;
@@ -38,8 +33,7 @@ std::filesystem::path xdmf_path(std::filesystem::path path, const std::string& n
   return path.replace_extension(".xdmf");
 }
 
-MotionFile::MotionFile(const std::filesystem::path& path, Records records)
-    : part_(path), file_(create_file(part_.part(), records)) {
+MotionFile::MotionFile(const std::filesystem::path& path) : part_(path), file_(create_file(part_.part())) {
   attach_text(file_.get(), schema::format, names::format_name);
 }
 
@@ -70,9 +64,12 @@ void MotionFile::publish() {
 }
 
 ReducedMotion::ReducedMotion(const std::filesystem::path& path, const model::Geometry& geometry, const MotionPlan& plan)
-    : file_(path, MotionFile::Records::plain),
-      times_(file_.file(), names::times, {length(plan.states)}, plan.time_units),
-      z_(file_.file(), names::z, {length(plan.states), length(plan.columns)}, "sqrt(kg) m") {
+    : file_(path),
+      times_(file_.file(), names::times, {length(plan.states)}, plan.time_units, Checked::by_row),
+      z_(file_.file(), names::z, {length(plan.states), length(plan.columns)}, "sqrt(kg) m", Checked::by_row),
+      velocity_(file_.file(), names::zdot, {length(plan.states), length(plan.columns)}, "sqrt(kg) m/s",
+                Checked::by_row) {
+  if (!plan.model_checksum.empty()) attach_text(file_.file(), names::model_checksum, plan.model_checksum);
   if (plan.frame_times.empty()) return;
   const hsize_t n = length(geometry.points.rows());
   NumberStream points(file_.file(), names::points, {n, 3}, "m");
@@ -87,22 +84,39 @@ ReducedMotion::ReducedMotion(const std::filesystem::path& path, const model::Geo
   file_.show_frames(body, plan.frame_times, plan.time_units, names::displacement, displacement_);
 }
 
-void ReducedMotion::state(double t, Eigen::Ref<const Eigen::VectorXd> z) {
+void ReducedMotion::state(double t, Eigen::Ref<const Eigen::VectorXd> z, Eigen::Ref<const Eigen::VectorXd> velocity) {
   times_.append({&t, 1});
   z_.append({z.data(), static_cast<std::size_t>(z.size())});
+  velocity_.append({velocity.data(), static_cast<std::size_t>(velocity.size())});
 }
 
 void ReducedMotion::frame(const model::Points& displacement) {
   displacement_.append({displacement.data(), static_cast<std::size_t>(displacement.size())});
 }
 
+void ReducedMotion::keep(const ReducedState& state) {
+  const Group group(H5Gcreate2(file_.file(), names::state, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+  require_written(static_cast<bool>(group));
+  for (const auto& [name, value] : state.numbers) attach(group.get(), name.c_str(), H5T_IEEE_F64LE, &value);
+  attach_text(group.get(), names::integrator, state.integrator);
+  attach_text(group.get(), names::scene_checksum, state.scene_checksum);
+  attach(group.get(), names::steps, H5T_STD_I64LE, &state.steps);
+  attach(group.get(), names::last_step, H5T_IEEE_F64LE, &state.last_step);
+  const model::RowMatrix rows = state.history;
+  NumberStream history(file_.file(), names::history,
+                       {static_cast<hsize_t>(rows.rows()), static_cast<hsize_t>(rows.cols())}, "z, and by 1/s and 1/s2",
+                       Checked::by_row);
+  history.append({rows.data(), static_cast<std::size_t>(rows.size())});
+  history.close();
+}
+
 void ReducedMotion::finish() {
-  for (auto* stream : {&times_, &z_, &displacement_}) stream->close();
+  for (auto* stream : {&times_, &z_, &velocity_, &displacement_}) stream->close();
   file_.finish();
 }
 
 FullMotion::FullMotion(const std::filesystem::path& path, std::int64_t vertices, const FullPlan& plan)
-    : file_(path, MotionFile::Records::checked), vertices_(length(vertices)) {
+    : file_(path), vertices_(length(vertices)) {
   write_numbers(file_.file(), names::times, plan.times, plan.time_units);
 }
 

@@ -86,11 +86,14 @@ void NumberStream::append(std::span<const double> piece) {
   pending_.clear();
 }
 
+hsize_t NumberStream::checked_row() const { return checked_ == Checked::by_vertex ? 3 : row_length(shape_); }
+
 void NumberStream::write(std::span<const double> piece) {
   const Space in_file(H5Dget_space(dataset_.get()));
   const hsize_t row = row_length(shape_);
-  if (checked_ == Checked::by_vertex)
-    sum_ += checksum(std::as_bytes(piece), 3 * sizeof(double), static_cast<std::int64_t>(written_ / 3));
+  if (checked_ != Checked::no && !piece.empty())
+    sum_ += checksum(std::as_bytes(piece), checked_row() * sizeof(double),
+                     static_cast<std::int64_t>(written_ / checked_row()));
   while (!piece.empty()) {
     Extent start(shape_.size(), 0), count = shape_;
     const hsize_t within = written_ % row, whole = within == 0 ? piece.size() / row : 0;
@@ -111,7 +114,7 @@ void NumberStream::close() {
   if (!dataset_) return;
   write(pending_);
   pending_.clear();
-  if (checked_ == Checked::by_vertex) attach(dataset_.get(), schema::checksum, H5T_STD_U64LE, &sum_);
+  if (checked_ != Checked::no) attach(dataset_.get(), schema::checksum, H5T_STD_U64LE, &sum_);
   require_written(dataset_.close());
 }
 

@@ -1,3 +1,6 @@
+#include "read.hpp"
+#include "ritz/base/random.hpp"
+#include "ritz/base/shown.hpp"
 #include "ritz/format/sound.hpp"
 
 namespace ritz::format {
@@ -19,6 +22,22 @@ void write(const std::filesystem::path& path, const model::Model& model) {
   write_provenance(out, model.provenance);
   for (const auto& body : model.bodies) write_body(out, body);
   out.commit();
+}
+
+std::string coordinates_checksum(const ModelReader& in, std::string_view body) {
+  std::uint64_t sum = 0;
+  const auto add = [&](const std::string& dataset) {
+    if (exists(in, dataset)) sum = split_mix(sum ^ read_bits(in, dataset, schema::checksum));
+  };
+  const auto part = [&](std::string_view name, std::string_view dataset) {
+    return schema::join(schema::body_part(body, name), dataset);
+  };
+  const auto columns = part(schema::basis, schema::columns);
+  for (const auto& column : links(in, columns)) add(schema::join(columns, column));
+  add(part(schema::modes, schema::eigenvalues));
+  add(part(schema::reduction, schema::stiffness));
+  for (const auto* order : {schema::quadratic, schema::cubic, schema::quartic}) add(part(schema::polynomial, order));
+  return formatted("%016llx", static_cast<unsigned long long>(sum));
 }
 
 model::Body read_body(const ModelReader& in, const std::string& name) {

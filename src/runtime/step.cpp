@@ -158,11 +158,29 @@ Workspace<Scalar> make_workspace(const Model<Scalar>& model, const Integrator& i
 }
 
 template <class Scalar>
+Vector<Scalar> balanced_acceleration(const Model<Scalar>& model, VectorRef<Scalar> z, VectorRef<Scalar> velocity,
+                                     VectorRef<Scalar> load, Evaluation<Scalar>& room) {
+  evaluate<Scalar>(model.force, z, room);
+  Vector<Scalar> force = load;
+  add_damping<Scalar>(model, -1, velocity, force);
+  force -= room.force;
+  if (!std::holds_alternative<UnitInertia>(model.inertia)) {
+    auto inertia = make_inertia_at<Scalar>(model.size());
+    const Vector<Scalar> none = Vector<Scalar>::Zero(model.size());
+    evaluate<Scalar>(model.inertia, z, velocity, none, inertia);
+    force -= inertia.force;
+    auto factors = make_factors<Scalar>(model.size());
+    factor(inertia.mass, factors);
+    solve_in_place(factors, force);
+  }
+  return force;
+}
+
+template <class Scalar>
 State<Scalar> make_state(const Model<Scalar>& model, const Integrator& integrator, VectorRef<Scalar> z,
                          VectorRef<Scalar> velocity, VectorRef<Scalar> load) {
-  const Eigen::Index r = model.size();
   State<Scalar> state;
-  state.history.setZero(r, history_size(integrator.history));
+  state.history.setZero(model.size(), history_size(integrator.history));
   state.history.col(0) = z;
   state.history.col(1) = velocity;
   if (is_carried(model)) {
@@ -170,21 +188,8 @@ State<Scalar> make_state(const Model<Scalar>& model, const Integrator& integrato
     state.frame.emplace();
   }
   if (integrator.history != History::acceleration) return state;
-  auto at = make_evaluation(model.force);
-  evaluate<Scalar>(model.force, z, at);
-  Vector<Scalar> force = load;
-  add_damping<Scalar>(model, -1, velocity, force);
-  force -= at.force;
-  if (!std::holds_alternative<UnitInertia>(model.inertia)) {
-    auto inertia = make_inertia_at<Scalar>(r);
-    const Vector<Scalar> none = Vector<Scalar>::Zero(r);
-    evaluate<Scalar>(model.inertia, z, velocity, none, inertia);
-    force -= inertia.force;
-    auto factors = make_factors<Scalar>(r);
-    factor(inertia.mass, factors);
-    solve_in_place(factors, force);
-  }
-  state.history.col(2) = force;
+  auto room = make_evaluation(model.force);
+  state.history.col(2) = balanced_acceleration<Scalar>(model, z, velocity, load, room);
   return state;
 }
 
@@ -203,10 +208,11 @@ Outcome step(const Model<Scalar>& model, State<Scalar>& state, const StepLoad<Sc
   return outcome;
 }
 
-#define RITZ_INSTANCE(S)                                                                                       \
-  template Workspace<S> make_workspace(const Model<S>&, const Integrator&, S, const NewtonOptions<S>&, Loads); \
-  template State<S> make_state(const Model<S>&, const Integrator&, VectorRef<S>, VectorRef<S>, VectorRef<S>);  \
-  template Outcome step(const Model<S>&, State<S>&, const StepLoad<S>&, S, Workspace<S>&);                     \
+#define RITZ_INSTANCE(S)                                                                                               \
+  template Workspace<S> make_workspace(const Model<S>&, const Integrator&, S, const NewtonOptions<S>&, Loads);         \
+  template Vector<S> balanced_acceleration(const Model<S>&, VectorRef<S>, VectorRef<S>, VectorRef<S>, Evaluation<S>&); \
+  template State<S> make_state(const Model<S>&, const Integrator&, VectorRef<S>, VectorRef<S>, VectorRef<S>);          \
+  template Outcome step(const Model<S>&, State<S>&, const StepLoad<S>&, S, Workspace<S>&);                             \
   template Outcome step(const Model<S>&, State<S>&, const StepLoad<S>&, S, Workspace<S>&, StepDerivative<S>&);
 RITZ_INSTANCE(double)
 RITZ_INSTANCE(float)

@@ -16,11 +16,29 @@ double Table::at(double t) const {
 
 Scene of_body(const Scene& scene, std::string_view name) {
   Scene own = scene;
+  for (const auto& body : scene.bodies)
+    if (body.name == name && body.initial) own.initial = body.initial;
   own.bodies.clear();
   const auto acts_elsewhere = [&](const auto& item) { return item.body != name; };
   std::erase_if(own.loads, acts_elsewhere);
   std::erase_if(own.probes, acts_elsewhere);
   return own;
+}
+
+std::vector<std::string> probe_columns(const std::vector<Probe>& probes) {
+  constexpr std::array<std::string_view, 3> letters = {"u", "v", "a"};
+  std::vector<std::string> columns;
+  for (const auto& probe : probes)
+    for (const auto quantity : probe.quantities)
+      for (const auto* axis : {"x", "y", "z"})
+        columns.push_back(probe.name + "_" + std::string(letters[static_cast<std::size_t>(quantity)]) + axis);
+  return columns;
+}
+
+bool any_measures(const std::vector<Probe>& probes, Quantity quantity) {
+  return std::ranges::any_of(probes, [&](const Probe& probe) {
+    return std::ranges::find(probe.quantities, quantity) != probe.quantities.end();
+  });
 }
 
 std::int64_t step_count(const Time& time) {

@@ -47,6 +47,39 @@ std::variant<Time, Static> analysis(const Section& scene) {
   throw InputError(scene.entry().file + ": the scene needs [time] (step, end) or [static] (steps)");
 }
 
+std::filesystem::path beside(const Section& section, const Entry& name) {
+  if (text(name).empty()) fail(name, name.name + " must name a file");
+  return std::filesystem::path(section.entry().file).parent_path() / text(name);
+}
+
+StoredStart stored_start(const Section& section) {
+  StoredStart start{.motion = beside(section, section.get("motion")), .time = {}, .model = {}};
+  if (const auto time = section.find("time")) start.time = not_negative(*time);
+  if (const auto model = section.find("model")) start.model = beside(section, *model);
+  return start;
+}
+
+Initial initial(const Entry& entry, const std::string& name, const Section& scene) {
+  const Section section({entry.node, entry.file, name}, {"static", "z", "velocity", "motion", "time", "model"});
+  if (!scene.find("time")) fail(entry, name + " needs [time]: statics start from the body at rest");
+  const auto kind = section.one_of({"static", section.find("z") ? "z" : "velocity", "motion"});
+  for (const auto* key : {"time", "model"})
+    if (const auto of_motion = section.find(key); of_motion && kind != "motion")
+      fail(*of_motion, of_motion->name + " says more of a 'motion', and none is named");
+  if (kind == "motion") return stored_start(section);
+  if (kind == "static") {
+    const Entry asked = section.get("static");
+    if (asked.node.value_exact<bool>() != true)
+      fail(asked, asked.name + " must be true: a motion that starts undeformed has no " + name);
+    return StaticStart{};
+  }
+  if (kind.empty()) fail(entry, name + " needs one of 'static', 'z', 'velocity' and 'motion'");
+  CoordinateStart start;
+  if (const auto z = section.find("z")) start.z = numbers(*z);
+  if (const auto velocity = section.find("velocity")) start.velocity = numbers(*velocity);
+  return start;
+}
+
 Damping damping(const Entry& entry) {
   const Section section({entry.node, entry.file, "[damping]"}, {"alpha", "beta", "ratio"});
   Damping damping;
@@ -78,17 +111,15 @@ void check_name(const Entry& entry, const std::string& name, const std::string& 
     fail(entry, entry.name + " " + use + ": it must not be empty nor hold a comma, a quote or a control character");
 }
 
-/// Relative paths of models count from the scene file's folder.
-Body body(const Section& section, const std::vector<Body>& earlier) {
+/// Relative paths count from the scene file's folder.
+Body body(const Section& section, const std::vector<Body>& earlier, const Section& scene) {
   const Entry name = section.get("name");
   Body body{.name = text(name), .model = {}, .model_body = {}};
   check_name(name, body.name, "names files");
   for (const auto& other : earlier)
     if (other.name == body.name) fail(name, "two bodies are named '" + printable(body.name) + "'");
-  if (const auto model = section.find("model")) {
-    body.model = std::filesystem::path(section.entry().file).parent_path() / text(*model);
-    if (text(*model).empty()) fail(*model, model->name + " must name a model file");
-  }
+  if (const auto model = section.find("model")) body.model = beside(section, *model);
+  if (const auto start = section.find("initial")) body.initial = initial(*start, start->name, scene);
   if (const auto stored = section.find("model_body")) {
     body.model_body = text(*stored);
     if (body.model_body.empty()) fail(*stored, stored->name + " must name a body of the model file");
@@ -127,10 +158,38 @@ Load load(const Section& section, const std::vector<Body>& bodies) {
   return load;
 }
 
-Probe probe(const Section& section, const std::vector<Body>& bodies, const std::vector<Probe>& earlier) {
+Quantity quantity(const Entry& entry) {
+  const std::string name = text(entry);
+  const auto at = std::find(quantity_names.begin(), quantity_names.end(), name);
+  if (at == quantity_names.end())
+    fail(entry, "unknown quantity '" + printable(name) + "'" + hint(name, quantity_names));
+  return static_cast<Quantity>(at - quantity_names.begin());
+}
+
+/// One, or a list of them.
+std::vector<Quantity> quantities(const Entry& entry) {
+  const auto* list = entry.node.as_array();
+  if (list == nullptr) return {quantity(entry)};
+  std::vector<Quantity> all;
+  for (const auto& item : *list) {
+    const Entry one{item, entry.file, entry.name};
+    all.push_back(quantity(one));
+    if (std::count(all.begin(), all.end(), all.back()) > 1) fail(one, entry.name + " names a quantity twice");
+  }
+  if (all.empty()) fail(entry, entry.name + " is empty: name what is measured, or leave it out");
+  return all;
+}
+
+Probe probe(const Section& section, const std::vector<Body>& bodies, const Section& scene,
+            const std::vector<Probe>& earlier) {
   const Entry name = section.get("name");
   Probe probe{.name = text(name), .target = target(section), .body = whose(section, bodies)};
   check_name(name, probe.name, "heads a column");
+  if (const auto asked = section.find("quantity")) {
+    probe.quantities = quantities(*asked);
+    if (!scene.find("time") && probe.quantities != std::vector{Quantity::displacement})
+      fail(*asked, asked->name + " must be \"displacement\" in statics, where nothing moves");
+  }
   for (const auto& other : earlier)
     if (other.name == probe.name) fail(name, "two probes are named '" + printable(probe.name) + "'");
   return probe;
@@ -143,8 +202,7 @@ Vector3 direction(const Entry& entry) {
 }
 
 Scene scene(const Section& file) {
-  Scene scene{
-      .analysis = analysis(file), .damping = {}, .gravity = {}, .shake = {}, .bodies = {}, .loads = {}, .probes = {}};
+  Scene scene{.analysis = analysis(file), .damping = {}, .gravity = {}, .shake = {}, .loads = {}, .probes = {}};
   if (const auto entry = file.find("damping")) scene.damping = damping(*entry);
   if (const auto entry = file.find("gravity")) scene.gravity = vector3(*entry);
   if (const auto entry = file.find("shake")) {
@@ -152,19 +210,20 @@ Scene scene(const Section& file) {
     const Section shake({entry->node, entry->file, "[shake]"}, {"direction", "table"});
     scene.shake = {direction(shake.get("direction")), table(shake.get("table"))};
   }
-  for (const auto& section : sections(file, "body", {"name", "model", "model_body"}))
-    scene.bodies.push_back(body(section, scene.bodies));
+  if (const auto entry = file.find("initial")) scene.initial = initial(*entry, "[initial]", file);
+  for (const auto& section : sections(file, "body", {"name", "model", "model_body", "initial"}))
+    scene.bodies.push_back(body(section, scene.bodies, file));
   for (const auto& section :
        sections(file, "load", {"body", "set", "vertex", "total", "each", "pressure", "traction", "table"}))
     scene.loads.push_back(load(section, scene.bodies));
-  for (const auto& section : sections(file, "probe", {"name", "body", "set", "vertex"}))
-    scene.probes.push_back(probe(section, scene.bodies, scene.probes));
+  for (const auto& section : sections(file, "probe", {"name", "body", "set", "vertex", "quantity"}))
+    scene.probes.push_back(probe(section, scene.bodies, file, scene.probes));
   return scene;
 }
 
 Scene scene_of(const toml::table& root, const std::string& file) {
-  return scene(
-      Section({root, file, "the scene"}, {"time", "static", "damping", "gravity", "shake", "body", "load", "probe"}));
+  return scene(Section({root, file, "the scene"},
+                       {"time", "static", "damping", "gravity", "shake", "initial", "body", "load", "probe"}));
 }
 
 /// Makes nodes of TOML from values.

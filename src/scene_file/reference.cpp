@@ -7,7 +7,7 @@ std::string_view reference() {
 
 gravity = [0.0, 0.0, -9.81]     # m/s2, on all of the mass; none if left out
 
-[time]                          # a motion from rest; or [static] below
+[time]                          # a motion; or [static] below
 step = 1e-3                     # s
 end = 0.5                       # s: the steps go on to the first that reaches it
 integrator = "newmark"          # one of:
@@ -32,10 +32,19 @@ ratio = [0.01, 0.02]            # one a flexible mode, the last one for all othe
 direction = [1.0, 0.0, 0.0]     # multiplied by the table, not normalised
 table = [[0.0, 0.0], [0.1, 3.0], [0.2, 0.0]]  # s, m/s2: straight lines between, the ends hold
 
+[initial]                       # how the motion starts; if left out at rest, undeformed; not in statics
+z = [0.01, 0.0]                 # sqrt(kg) m: each of the model's reduced coordinates. If left out, zeros
+velocity = [0.0, 0.2]           # sqrt(kg) m/s: their velocities. If left out, zeros. Or, in place of both, one of
+# static = true                 # at rest, in equilibrium under the loads as they are at t = 0
+# motion = "motion.h5"          # a state of a motion of the same model; the path from this file's folder
+# time = 0.25                   # s: which state of it; its last if left out
+# model = "model.h5"            # in ritz-full alone: the reduced model of the motion, which then starts as u = U z
+
 [[body]]                        # only where a scene has several: each load and probe then says body = "..."
 name = "arm"                    # names files: motion.arm.h5
 model = "model.h5"              # from this file's folder; if left out, the model on the command line
 model_body = "body"             # which body of that file; if left out, its first
+initial = { z = [0.02, 0.0] }   # keys as of [initial], which is of all bodies without one of their own
 
 [[load]]                        # any number of them
 body = "arm"                    # needed where there are several bodies
@@ -46,10 +55,12 @@ total = [0.0, 0.0, -5.0]        # N, shared equally by the vertices of the set; 
 # traction = [0.0, 0.0, -1e3]   # Pa, on a set that has faces
 table = [[0.0, 0.0], [0.1, 1.0]]  # s (or the load fraction), factor; if left out, 1 (in statics the fraction)
 
-[[probe]]                       # a column of displacements for each axis in probes.csv
+[[probe]]                       # three columns in probes.csv, one an axis, for each of its quantities
 name = "tip"
 body = "arm"                    # as of loads
 set = "xmax"                    # the mean over its vertices; or vertex = 7
+quantity = ["displacement", "velocity"]  # NAME_ux (m), NAME_vx (m/s), NAME_ax of "acceleration" (m/s2), one or a list;
+                                # displacement if left out. All relative to the ground where it shakes
 )";
 }
 

@@ -22,6 +22,7 @@ struct Listener {
 struct Played {
   std::vector<BodyResult> bodies;  ///< in the order of the scene
   std::int64_t frames = 0;         ///< that each motion file has
+  std::string replaced;  ///< a sentence on files of an earlier run that were replaced; empty if there are none
 };
 
 /// Runs a scene on its bodies, as `cast` returns them; reads the models of those that have none yet. `options.scene` is

@@ -15,29 +15,21 @@
 #include "ritz/files/json.hpp"
 #include "ritz/files/part_file.hpp"
 #include "ritz/format/parts.hpp"
-#include "ritz/format/schema.hpp"
 #include "ritz/scene_file/read.hpp"
 #include "ritz/scene_file/room.hpp"
 #include "ritz/world/loads.hpp"
 #include "run_body.hpp"
 #include "run_recorder.hpp"
 #include "run_report.hpp"
+#include "run_start.hpp"
 
 namespace ritz::tools {
 namespace {
 
 enum class Tables { none, probes };
 
-/// motion.NAME.h5 of the body NAME in a scene that names its bodies; else the output itself.
 std::filesystem::path output_of(const RunOptions& options, const RunBody& body) {
-  if (body.name.empty()) return options.output;
-  const auto& all = options.output;
-  if (all.filename().empty() || all.filename() == "." || all.filename() == "..")
-    throw InputError("--output " + all.string() +
-                     " is a folder: give the name of a file, from which the motions of the "
-                     "bodies get theirs");
-  const auto ending = all.has_extension() ? all.extension().string() : ".h5";
-  return all.parent_path() / (all.stem().string() + "." + format::schema::link_name(body.name) + ending);
+  return motion_of(options.output, "--output", body);
 }
 
 /// Takes the names of all that the run will write.
@@ -53,6 +45,12 @@ files::Claim claim(const RunOptions& options, const std::vector<RunBody>& bodies
     const files::Named model{"the model " + body.model_file.string(), body.model_file};
     const auto same = [&](const files::Named& input) { return input.path == model.path; };
     if (std::ranges::none_of(plan.inputs, same)) plan.inputs.push_back(model);
+    if (!options.restart.empty()) {
+      const auto earlier = motion_of(options.restart, "--restart", body);
+      (bodies.size() == 1 ? plan.replaceable : plan.inputs).push_back({"--restart " + earlier.string(), earlier});
+    } else if (const auto start = stored_start(body)) {
+      plan.inputs.push_back(*start);
+    }
   }
   if (!options.scene.empty()) plan.inputs.push_back({"the scene " + options.scene.string(), options.scene});
   if (tables == Tables::probes) beside("the table", files::table_beside(options.output, "probes"));
@@ -61,13 +59,23 @@ files::Claim claim(const RunOptions& options, const std::vector<RunBody>& bodies
   return files::Claim(std::move(plan));
 }
 
-MotionPlan plan_scene(const scene::Scene& scene, std::int64_t steps, const std::vector<std::int64_t>& frame_states,
-                      Eigen::Index columns) {
-  const auto* time = std::get_if<scene::Time>(&scene.analysis);
-  MotionPlan plan{.states = steps + 1, .columns = columns, .frame_times = {}, .time_units = time ? "s" : "1"};
+/// The steps of a scene that a run makes: from the state after step `first` to that after step `last`.
+struct Steps {
+  std::int64_t first, last;
+
+  std::int64_t count() const { return last - first; }
+};
+
+MotionPlan plan_scene(const RunBody& body, const Steps& steps, const std::vector<std::int64_t>& frame_states) {
+  const auto* time = std::get_if<scene::Time>(&body.scene.analysis);
+  MotionPlan plan{.states = steps.count() + 1,
+                  .columns = world::reduced_size(*body.model),
+                  .frame_times = {},
+                  .time_units = time ? "s" : "1",
+                  .model_checksum = body.coordinates};
   for (const auto state : frame_states) {
-    const auto n = static_cast<double>(state);
-    plan.frame_times.push_back(time ? n * time->step : n / static_cast<double>(steps));
+    const auto n = static_cast<double>(steps.first + state);
+    plan.frame_times.push_back(time ? n * time->step : n / static_cast<double>(steps.last));
   }
   return plan;
 }
@@ -96,7 +104,7 @@ void refuse_beyond_room(const RunOptions& options, const std::vector<RunBody>& b
                         std::int64_t frames) {
   scene::Recording recording{.steps = steps, .frames = frames, .bytes_a_step = 0, .bytes_a_frame = 0};
   for (const auto& body : bodies) {
-    recording.bytes_a_step += 8.0 * static_cast<double>(1 + world::reduced_size(*body.model));
+    recording.bytes_a_step += 8.0 * static_cast<double>(1 + 2 * world::reduced_size(*body.model));
     recording.bytes_a_frame += 8.0 * static_cast<double>(body.model->geometry.points.size());
   }
   scene::refuse_beyond_room(recording, options.output, std::numeric_limits<double>::infinity());
@@ -104,11 +112,10 @@ void refuse_beyond_room(const RunOptions& options, const std::vector<RunBody>& b
 
 /// What a run's bodies leave behind, all files open.
 void prepare(Recorder& recorder, const RunOptions& options, const scene::Scene& scene,
-             const std::vector<RunBody>& bodies, const std::vector<std::int64_t>& frame_states) {
+             const std::vector<RunBody>& bodies, const Steps& steps, const std::vector<std::int64_t>& frame_states) {
   std::vector<ProbedBody> probed;
   for (const auto& body : bodies) {
-    const auto columns = world::reduced_size(*body.model);
-    recorder.add(output_of(options, body), *body.model, plan_scene(scene, count_steps(scene), frame_states, columns));
+    recorder.add(output_of(options, body), *body.model, plan_scene(body, steps, frame_states));
     if (scene.probes.empty()) continue;
     world::naming(body.name, [&] { probed.push_back({body.name, world::probe_matrix(body.scene, *body.model)}); });
   }
@@ -120,16 +127,16 @@ void prepare(Recorder& recorder, const RunOptions& options, const scene::Scene& 
 
 /// Runs to the end; every state goes to the recorder, if there is one, and to the listener.
 std::vector<world::RunResult> run_to_end(const RunOptions& options, const scene::Scene& scene,
-                                         const std::vector<RunBody>& bodies, Recorder* recorder,
-                                         const Listener& listener) {
-  Progress line(count_steps(scene), options.voice == Voice::quiet ? Visible::no : on_terminal());
+                                         const std::vector<RunBody>& bodies, std::vector<world::Start> starts,
+                                         const Steps& steps, Recorder* recorder, const Listener& listener) {
+  Progress line(steps.count(), options.voice == Voice::quiet ? Visible::no : on_terminal());
   std::int64_t states = 0;
   std::vector<world::Observer> observers;
   for (std::size_t i = 0; i < bodies.size(); ++i)
     observers.push_back({.state =
-                             [&, i](double t, const auto& z) {
-                               if (recorder) recorder->record(i, t, z);
-                               if (listener.state) listener.state(i, t, z);
+                             [&, i](const world::Moment& now) {
+                               if (recorder) recorder->record(i, now);
+                               if (listener.state) listener.state(i, now.t, now.z);
                                if (i == 0) line.at(states++);
                              },
                          .cost =
@@ -137,10 +144,13 @@ std::vector<world::RunResult> run_to_end(const RunOptions& options, const scene:
                                if (recorder) recorder->cost(i, cost);
                              }});
   std::vector<world::Actor> actors;
-  for (std::size_t i = 0; i < bodies.size(); ++i) actors.push_back({bodies[i].model.get(), &observers[i]});
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    actors.push_back({bodies[i].model.get(), &observers[i], std::move(starts[i])});
   auto results = world::run(scene, actors, options.precision);
   for (std::size_t i = 0; i < bodies.size(); ++i)
     if (results[i].failure) fail(results[i], bodies[i]);
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    if (recorder && results[i].last) recorder->keep(i, end_of(options, bodies[i], results[i]));
   return results;
 }
 
@@ -157,6 +167,10 @@ void say(const BodyResult& of, const scene::Scene& scene, std::int64_t frames, s
   if (inverted > 0) out << who(body) << counted(inverted, "cell is", "cells are") << " inside out at the end\n";
 }
 
+void say_replaced(const std::string& files, std::ostream& out) {
+  if (!files.empty()) out << files << '\n';
+}
+
 /// ψ sin ωt over one period of `frequency` Hz at `states` times, from 0; the period's end is its beginning and not
 /// repeated. The largest displacement is a tenth of the diagonal of the body's bounding box.
 void swing_mode(const model::Body& body, double frequency, std::int64_t states, Recorder& recorder) {
@@ -166,9 +180,11 @@ void swing_mode(const model::Body& body, double frequency, std::int64_t states, 
   const double largest = shape.rowwise().norm().maxCoeff();
   const double amplitude = largest > 0 ? 0.1 * diagonal / largest : 1;
   for (std::int64_t k = 0; k < states; ++k) {
-    const double turn = static_cast<double>(k) / static_cast<double>(states);
-    const Eigen::VectorXd z = Eigen::VectorXd::Constant(1, amplitude * std::sin(2 * M_PI * turn));
-    recorder.record(0, turn / frequency, z);
+    const double turn = static_cast<double>(k) / static_cast<double>(states), omega = 2 * M_PI * frequency;
+    recorder.record(0, {.t = turn / frequency,
+                        .z = Eigen::VectorXd::Constant(1, amplitude * std::sin(2 * M_PI * turn)),
+                        .velocity = Eigen::VectorXd::Constant(1, amplitude * omega * std::cos(2 * M_PI * turn)),
+                        .acceleration = {}});
   }
 }
 
@@ -177,13 +193,15 @@ void run_scene(const RunOptions& options, std::ostream& out, std::ostream& err) 
   const auto warn = [&](const std::string& text) { err << "ritz-run: warning: " << text << '\n'; };
   const auto played = play(options, scene, cast(scene, options.model), Files::written, {.warning = warn, .state = {}});
   if (options.voice == Voice::quiet) return;
+  say_replaced(played.replaced, out);
   for (const auto& body : played.bodies) say(body, scene, played.frames, out);
 }
 
 void animate(const RunOptions& options, std::ostream& out) {
   const format::ModelReader in(options.model);
   const auto names =
-      claim(options, {{.name = {}, .model_file = options.model, .scene = {}, .model = {}}}, Frames::some, Tables::none);
+      claim(options, {{.name = {}, .model_file = options.model, .scene = {}, .model = {}, .coordinates = {}}},
+            Frames::some, Tables::none);
   const std::int64_t index = *options.animate_mode - 1;
   const model::Body body = read_mode(in, index);
   const auto& kinds = body.modes->kinds;
@@ -206,6 +224,7 @@ void animate(const RunOptions& options, std::ostream& out) {
   swing_mode(body, frequency, states, recorder);
   recorder.commit(names);
   if (options.voice == Voice::quiet) return;
+  say_replaced(names.replaced(), out);
   out << "mode " << index + 1 << ", " << frequency << " Hz: " << states << " frames in " << options.output.string()
       << '\n';
 }
@@ -215,18 +234,19 @@ void animate(const RunOptions& options, std::ostream& out) {
 Played play(const RunOptions& options, const scene::Scene& scene, std::vector<RunBody> bodies, Files files,
             const Listener& listener) {
   const bool written = files == Files::written;
-  const std::int64_t steps = count_steps(scene);
-  const std::int64_t frames = written ? scene::frame_count(chosen_frames(options), steps) : 0;
-  const auto drawn = frames == 0 ? Frames::none : Frames::some;
+  const auto drawn = options.frames == 0 ? Frames::none : Frames::some;
   std::optional<files::Claim> names;
   if (written) names.emplace(claim(options, bodies, drawn, scene.probes.empty() ? Tables::none : Tables::probes));
   read_bodies(bodies, scene, written ? drawn : Frames::some, options.forces);  // a listener may want to draw
   for (const auto& body : bodies) world::naming(body.name, [&] { refuse_unfit(options, body); });
+  auto from = starts(options, bodies);
+  const Steps steps{.first = steps_behind(from), .last = count_steps(scene)};
+  const std::int64_t frames = written ? scene::frame_count(chosen_frames(options), steps.count()) : 0;
   std::optional<Recorder> recorder;
   if (written) {
-    refuse_beyond_room(options, bodies, steps, frames);
-    const auto frame_states = scene::frame_schedule(chosen_frames(options), steps);
-    prepare(recorder.emplace(frame_states), options, scene, bodies, frame_states);
+    refuse_beyond_room(options, bodies, steps.count(), frames);
+    const auto frame_states = scene::frame_schedule(chosen_frames(options), steps.count());
+    prepare(recorder.emplace(frame_states), options, scene, bodies, steps, frame_states);
   }
 
   std::vector<std::string> warnings;
@@ -234,10 +254,11 @@ Played play(const RunOptions& options, const scene::Scene& scene, std::vector<Ru
     listener.warning(text);
     warnings.push_back(text);
   }
-  const auto results = run_to_end(options, scene, bodies, recorder ? &*recorder : nullptr, listener);
+  const auto results =
+      run_to_end(options, scene, bodies, std::move(from), steps, recorder ? &*recorder : nullptr, listener);
   const auto said_before = warnings.size();
   const bool told = written && (options.voice == Voice::normal || !options.summary.empty());
-  Played played{.bodies = {}, .frames = frames};
+  Played played{.bodies = {}, .frames = frames, .replaced = {}};
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     played.bodies.push_back({.body = bodies[i],
                              .result = results[i],
@@ -249,7 +270,10 @@ Played play(const RunOptions& options, const scene::Scene& scene, std::vector<Ru
   if (written && !options.summary.empty())
     recorder->summary(files::json_text(summary(
         {.options = options, .scene = scene, .bodies = played.bodies, .frames = frames, .warnings = warnings})));
-  if (written) recorder->commit(*names);
+  if (written) {
+    recorder->commit(*names);
+    played.replaced = names->replaced();
+  }
   for (auto i = said_before; i < warnings.size(); ++i) listener.warning(warnings[i]);
   return played;
 }

@@ -19,6 +19,7 @@ struct RunOptions {
   std::filesystem::path model;
   std::filesystem::path scene;  ///< empty when a mode is animated
   std::filesystem::path output = "motion.h5";
+  std::filesystem::path restart;             ///< a motion to go on from; empty: the scene begins
   std::filesystem::path timing;              ///< a table of what each step cost; empty when none is wanted
   std::filesystem::path summary;             ///< what is printed, as JSON; empty when none is wanted
   std::optional<std::int64_t> animate_mode;  ///< from 1, all modes counted, rigid ones too

@@ -26,7 +26,7 @@ bool any_target(const scene::Scene& scene) {
 std::vector<RunBody> cast(const scene::Scene& scene, const std::filesystem::path& model) {
   if (scene.bodies.empty()) {
     if (model.empty()) throw InputError("there is no model: give MODEL.h5, or a scene whose [[body]] names one");
-    return {{.name = {}, .model_file = model, .scene = scene, .model = {}}};
+    return {{.name = {}, .model_file = model, .scene = scene, .model = {}, .coordinates = {}}};
   }
   std::vector<RunBody> bodies;
   bool taken = false;
@@ -35,7 +35,8 @@ std::vector<RunBody> cast(const scene::Scene& scene, const std::filesystem::path
     taken = taken || body.model.empty();
     if (file.empty())
       throw InputError("body '" + printable(body.name) + "' has no model: give MODEL.h5, or 'model' of its [[body]]");
-    bodies.push_back({.name = body.name, .model_file = file, .scene = of_body(scene, body.name), .model = {}});
+    bodies.push_back(
+        {.name = body.name, .model_file = file, .scene = of_body(scene, body.name), .model = {}, .coordinates = {}});
   }
   if (!taken && !model.empty())
     throw InputError("each [[body]] of the scene names its 'model', so that " + model.string() +
@@ -87,7 +88,11 @@ void read_bodies(std::vector<RunBody>& bodies, const scene::Scene& scene, Frames
     const auto& [file, name] = key;
     const auto model =
         std::make_shared<const model::Body>(read_body(files.at(file), name, shared.scene, frames, forces));
-    for (auto* body : shared.bodies) body->model = model;
+    const auto coordinates = format::coordinates_checksum(files.at(file), name);
+    for (auto* body : shared.bodies) {
+      body->model = model;
+      body->coordinates = coordinates;
+    }
   }
 }
 

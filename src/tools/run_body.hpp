@@ -22,6 +22,7 @@ struct RunBody {
   std::filesystem::path model_file;
   scene::Scene scene;  ///< what is done to this body alone
   std::shared_ptr<const model::Body> model;
+  std::string coordinates;  ///< format::coordinates_checksum of the model
 };
 
 /// The scene's bodies without their models, in its order; of a scene that names none the one of `model`. Throws

@@ -33,6 +33,12 @@ void declare(CLI::App& app, RunOptions& options) {
                  "table: OTHER.probes.csv of OTHER.h5, and probes.csv of\nmotion.h5. A scene with [[body]] NAME "
                  "writes\nmotion.NAME.h5 for each")
       ->type_name("MOTION.h5");
+  app.add_option("--restart", options.restart,
+                 "Go on from the last state of an earlier run of the same\n"
+                 "scene, whose 'end' is later now, as if it had not\n"
+                 "stopped. The motion and the probes begin there. Of a\n"
+                 "scene with [[body]] NAME it is MOTION.NAME.h5 of each")
+      ->type_name("MOTION.h5");
   app.add_option("--animate-mode", options.animate_mode,
                  "Instead of a scene, swing mode I through one period, at\n"
                  "a tenth of the body's size. I is the index of the\n"
@@ -70,6 +76,8 @@ void refuse_contradictions(const RunOptions& options) {
   if (options.frames && options.every) throw InputError("--frames and --every exclude each other: keep one of them");
   if (!options.timing.empty() && options.animate_mode)
     throw InputError("--timing needs a scene: a mode swings without steps");
+  if (!options.restart.empty() && options.animate_mode)
+    throw InputError("--restart needs a scene: a mode swings without steps");
   if (!options.summary.empty() && options.animate_mode)
     throw InputError("--summary needs a scene: a mode swings without steps");
   if (options.every && options.animate_mode) throw InputError("--every needs a scene: for a mode say --frames N");

@@ -26,30 +26,36 @@ void TableFile::finish() {
 
 ProbeWriter::ProbeWriter(const std::filesystem::path& path, const std::vector<scene::Probe>& probes,
                          std::vector<ProbedBody> bodies)
-    : table_(path), row_(3 * std::ssize(probes)) {
+    : table_(path) {
+  const auto names = scene::probe_columns(probes);
+  row_.resize(std::ssize(names));
   table_.out() << 't';
-  for (const auto& probe : probes)
-    for (const auto* component : {"_ux", "_uy", "_uz"}) table_.out() << ',' << probe.name << component;
+  for (const auto& name : names) table_.out() << ',' << name;
   table_.out() << '\n';
   for (auto& body : bodies) {
-    Columns columns{.matrix = std::move(body.matrix), .probes = {}, .values = {}};
-    for (std::size_t i = 0; i < probes.size(); ++i)
-      if (probes[i].body == body.name) columns.probes.push_back(static_cast<Eigen::Index>(i));
-    columns.values.resize(columns.matrix.rows());
-    bodies_.push_back(std::move(columns));
+    Probed probed{.matrix = std::move(body.matrix), .columns = {}};
+    Eigen::Index first = 0, own = 0;
+    for (const auto& probe : probes) {
+      for (const auto quantity : probe.quantities) {
+        if (probe.body == body.name) probed.columns.push_back({first, own, quantity});
+        first += 3;
+      }
+      if (probe.body == body.name) ++own;
+    }
+    bodies_.push_back(std::move(probed));
   }
 }
 
-void ProbeWriter::take(std::size_t body, double t, Eigen::Ref<const Eigen::VectorXd> z) {
-  auto& columns = bodies_[body];
-  columns.values.noalias() = columns.matrix * z;
-  Eigen::Index from = 0;
-  for (const auto probe : columns.probes) {
-    row_.segment<3>(3 * probe) = columns.values.segment<3>(from);
-    from += 3;
-  }
+void ProbeWriter::take(std::size_t body, const world::Moment& now) {
+  const auto coordinates = [&](scene::Quantity quantity) -> const Eigen::VectorXd& {
+    if (quantity == scene::Quantity::displacement) return now.z;
+    return quantity == scene::Quantity::velocity ? now.velocity : now.acceleration;
+  };
+  const auto& [matrix, all] = bodies_[body];
+  for (const auto& columns : all)
+    row_.segment<3>(columns.first).noalias() = matrix.middleRows<3>(3 * columns.probe) * coordinates(columns.quantity);
   if (body + 1 < bodies_.size()) return;
-  table_.out() << t;
+  table_.out() << now.t;
   for (const double value : row_) table_.out() << ',' << value;
   table_.out() << '\n';
   table_.check();
@@ -82,14 +88,14 @@ void Recorder::add_summary(const std::filesystem::path& path) { summary_.emplace
 
 void Recorder::summary(const std::string& text) { summary_->write(text); }
 
-void Recorder::record(std::size_t body, double t, Eigen::Ref<const Eigen::VectorXd> z) {
+void Recorder::record(std::size_t body, const world::Moment& now) {
   auto& motion = motions_[body];
-  motion.z = z;
-  motion.file.state(t, z);
-  if (probes_) probes_->take(body, t, z);
+  motion.z = now.z;
+  motion.file.state(now.t, now.z, now.velocity);
+  if (probes_) probes_->take(body, now);
   const auto state = motion.state++;
   if (motion.next_frame == frame_states_.size() || frame_states_[motion.next_frame] != state) return;
-  runtime::reconstruct(motion.body.basis, z, motion.displacement);
+  runtime::reconstruct(motion.body.basis, now.z, motion.displacement);
   motion.file.frame(motion.displacement);
   ++motion.next_frame;
 }

@@ -42,7 +42,7 @@ struct ProbedBody {
   Eigen::MatrixXd matrix;  ///< as probe_matrix returns it for this body's probes, in the scene's order
 };
 
-/// probes.csv: t,NAME_ux,NAME_uy,NAME_uz,... with one row for each state, 15 significant digits.
+/// probes.csv: t and the columns of scene::probe_columns, with one row for each state, 15 significant digits.
 class ProbeWriter {
  public:
   /// The columns are in the order of the scene. Throws InputError when the file cannot be created.
@@ -50,18 +50,23 @@ class ProbeWriter {
               std::vector<ProbedBody> bodies);
 
   /// Takes the state of body number `body`; that of the last body completes the row.
-  void take(std::size_t body, double t, Eigen::Ref<const Eigen::VectorXd> z);
+  void take(std::size_t body, const world::Moment& now);
   TableFile& table() { return table_; }
 
  private:
+  /// Three columns of the table.
   struct Columns {
+    Eigen::Index first;  ///< in the table, behind t
+    Eigen::Index probe;  ///< of the body's own
+    scene::Quantity quantity;
+  };
+  struct Probed {
     Eigen::MatrixXd matrix;
-    std::vector<Eigen::Index> probes;  ///< which of the scene's they are
-    Eigen::VectorXd values;
+    std::vector<Columns> columns;
   };
 
   TableFile table_;
-  std::vector<Columns> bodies_;
+  std::vector<Probed> bodies_;
   Eigen::VectorXd row_;
 };
 
@@ -100,9 +105,12 @@ class Recorder {
   void summary(const std::string& text);
 
   /// A state of body `body`, counted as they were added.
-  void record(std::size_t body, double t, Eigen::Ref<const Eigen::VectorXd> z);
+  void record(std::size_t body, const world::Moment& now);
   /// Of the step that led to the state which is recorded next.
   void cost(std::size_t body, const world::StepCost& step);
+
+  /// Where the motion of body `body` ended.
+  void keep(std::size_t body, const format::ReducedState& end) { motions_[body].file.keep(end); }
 
   /// The displacements of the latest state, n x 3, m; of a body without vertices 0 x 3.
   const model::Points& latest(std::size_t body);

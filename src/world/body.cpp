@@ -36,7 +36,15 @@ Instance<Scalar> make_instance(std::shared_ptr<const runtime::Model<Scalar>> mod
                                const runtime::Integrator& integrator, std::type_identity_t<Scalar> dt,
                                runtime::VectorRef<Scalar> load) {
   const runtime::Vector<Scalar> rest = runtime::Vector<Scalar>::Zero(model->size());
-  auto state = runtime::make_state<Scalar>(*model, integrator, rest, rest, load);
+  return make_instance<Scalar>(std::move(model), integrator, dt, rest, rest, load);
+}
+
+template <class Scalar>
+Instance<Scalar> make_instance(std::shared_ptr<const runtime::Model<Scalar>> model,
+                               const runtime::Integrator& integrator, std::type_identity_t<Scalar> dt,
+                               runtime::VectorRef<Scalar> z, runtime::VectorRef<Scalar> velocity,
+                               runtime::VectorRef<Scalar> load) {
+  auto state = runtime::make_state<Scalar>(*model, integrator, z, velocity, load);
   auto workspace = runtime::make_workspace<Scalar>(*model, integrator, dt);
   return {std::move(model), std::move(state), std::move(workspace), load, dt};
 }
@@ -52,6 +60,8 @@ runtime::Outcome step(Instance<Scalar>& instance, runtime::VectorRef<Scalar> loa
 #define RITZ_INSTANCE(S)                                                                                      \
   template runtime::Model<S> make_model(const model::Body&, const scene::Damping&);                           \
   template runtime::Integrator choose(std::optional<scene::Integrator>, const runtime::Model<S>&);            \
+  template Instance<S> make_instance(std::shared_ptr<const runtime::Model<S>>, const runtime::Integrator&, S, \
+                                     runtime::VectorRef<S>, runtime::VectorRef<S>, runtime::VectorRef<S>);    \
   template Instance<S> make_instance(std::shared_ptr<const runtime::Model<S>>, const runtime::Integrator&, S, \
                                      runtime::VectorRef<S>);                                                  \
   template runtime::Outcome step(Instance<S>&, runtime::VectorRef<S>);

@@ -15,8 +15,14 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// How often the energy is looked at: it costs an evaluation.
-constexpr std::int64_t looks = 200;
+/// Whether the energy is looked at after step n, which costs an evaluation: about `looks` times while n doubles. A rule
+/// of n alone, so that a motion which goes on is looked at as if it had not stopped.
+bool is_due(std::int64_t n) {
+  constexpr std::int64_t looks = 64;
+  std::int64_t every = 1;
+  while (every * looks * 2 <= n) every *= 2;
+  return n % every == 0;
+}
 
 void add(const StepCost& cost, const Observer& observer, RunResult& result) {
   result.seconds += cost.seconds;
@@ -29,30 +35,94 @@ void add(const StepCost& cost, const Observer& observer, RunResult& result) {
 template <class Scalar>
 class Watch {
  public:
-  Watch(const Instance<Scalar>& instance, std::int64_t steps)
-      : instance_(instance),
-        every_(std::max<std::int64_t>(1, steps / looks)),
-        steps_(steps),
-        room_(runtime::make_evaluation(instance.model->force)) {}
+  /// `from`: where the motion stopped, if it goes on.
+  Watch(const Instance<Scalar>& instance, const Checkpoint* from)
+      : instance_(instance), room_(runtime::make_evaluation(instance.model->force)), watch_(energy()) {
+    if (from && from->energy) watch_ = EnergyWatch(*from->energy, from->gain);
+  }
 
   void after(std::int64_t n, double t, const runtime::Outcome& outcome) {
     watch_.add(outcome.work, outcome.dissipated);
-    if (n % every_ == 0 || n == steps_) look(t);
+    if (is_due(n)) watch_.look(t, energy());
   }
-  void look(double t) {
-    watch_.look(t, static_cast<double>(runtime::energy(*instance_.model, instance_.state, room_)));
-  }
-  void report(RunResult& result) const {
-    result.energy = watch_.balance();
-    result.gain = watch_.gain();
+  /// The end is looked at too, which whoever goes on from there must not know of.
+  void report(double t, RunResult& result) {
+    if (result.last) {
+      result.last->energy = watch_.balance();
+      result.last->gain = watch_.gain();
+    }
+    auto whole = watch_;
+    whole.look(t, energy());
+    result.energy = whole.balance();
+    result.gain = whole.gain();
   }
 
  private:
+  double energy() { return static_cast<double>(runtime::energy(*instance_.model, instance_.state, room_)); }
+
   const Instance<Scalar>& instance_;
-  std::int64_t every_, steps_;
   runtime::Evaluation<Scalar> room_;
-  EnergyWatch watch_{0};
+  EnergyWatch watch_;
 };
+
+/// z, in equilibrium under the load.
+template <class Scalar>
+runtime::Vector<Scalar> rest_under(const runtime::Model<Scalar>& model, const runtime::Vector<Scalar>& load) {
+  runtime::Vector<Scalar> z = runtime::Vector<Scalar>::Zero(model.size());
+  const runtime::Vector<Scalar> none = z;
+  auto workspace = runtime::make_static_workspace<Scalar>(model);
+  const auto outcome = runtime::solve_static<Scalar>(model, {none, load}, z, workspace);
+  if (!outcome.failure) return z;
+  const std::string none_there = "there is no static state to start from: ";
+  switch (*outcome.failure) {
+    case runtime::NoRest::free_body:
+      throw InputError(none_there + "the body is free, and nothing holds it against the load at t = 0");
+    case runtime::NoRest::limit_point:
+      throw NumericalError(none_there + "the body snaps or buckles before it bears the load at t = 0");
+    case runtime::NoRest::not_converged:
+      throw NumericalError(none_there + "Newton's method does not converge under the load at t = 0");
+    case runtime::NoRest::not_finite: throw NumericalError(none_there + "the load at t = 0 is not finite");
+  }
+  throw std::logic_error("a failure without a cause");
+}
+
+/// r numbers of the scene, or zeros.
+Eigen::VectorXd coordinates(const std::vector<double>& given, const std::string& what, Eigen::Index r) {
+  if (given.empty()) return Eigen::VectorXd::Zero(r);
+  if (std::ssize(given) != r)
+    throw InputError("the motion would start with " + std::to_string(given.size()) + " numbers of " + what +
+                     ", and the model has " + std::to_string(r) + " reduced coordinates");
+  return Eigen::Map<const Eigen::VectorXd>(given.data(), r);
+}
+
+/// z and z' at t = 0, under the load `load`.
+template <class Scalar>
+GivenStart start_of(const scene::Scene& scene, const Start& start, const runtime::Model<Scalar>& model,
+                    const runtime::Vector<Scalar>& load) {
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(model.size());
+  if (const auto* given = std::get_if<GivenStart>(&start)) {
+    if (given->z.size() != rest.size() || given->velocity.size() != rest.size())
+      throw InputError("the state to start from has " + std::to_string(given->z.size()) +
+                       " coordinates, and the model " + std::to_string(rest.size()));
+    return *given;
+  }
+  if (!scene.initial) return {rest, rest};
+  if (std::holds_alternative<scene::StaticStart>(*scene.initial))
+    return {rest_under<Scalar>(model, load).template cast<double>(), rest};
+  if (const auto* given = std::get_if<scene::CoordinateStart>(&*scene.initial))
+    return {coordinates(given->z, "z", rest.size()), coordinates(given->velocity, "its velocity", rest.size())};
+  throw std::logic_error("whoever runs a scene that names a motion file reads it");
+}
+
+/// Puts an instance where it stopped.
+template <class Scalar>
+void go_on(const Checkpoint& from, Instance<Scalar>& instance) {
+  auto& history = instance.state.history;
+  if (from.history.rows() != history.rows() || from.history.cols() != history.cols())
+    throw InputError("the state to go on from is not one of this model and this integrator");
+  history = from.history.template cast<Scalar>();
+  instance.state.last_dt = static_cast<Scalar>(from.last_dt);
+}
 
 template <class Scalar>
 using Shared = std::shared_ptr<const runtime::Model<Scalar>>;
@@ -68,13 +138,22 @@ class Moving {
         load_(reduce_loads(scene, *actor.body)),
         force_(model->size()),
         end_(model->size()) {
-    load_.evaluate(scene_, 0, force_);
+    const auto* from = std::get_if<Checkpoint>(&actor.start);
+    done_ = from ? from->steps : 0;
+    load_.evaluate(scene_, time(), force_);
+    end_ = force_.cast<Scalar>();
     const auto integrator = choose(time_.integrator, *model);
-    instance_ = make_instance<Scalar>(model, integrator, Scalar(time_.step), force_.cast<Scalar>().eval());
+    const auto start = from ? GivenStart{Eigen::VectorXd::Zero(model->size()), Eigen::VectorXd::Zero(model->size())}
+                            : start_of<Scalar>(scene_, actor.start, *model, end_);
+    instance_ = make_instance<Scalar>(model, integrator, Scalar(time_.step), start.z.template cast<Scalar>().eval(),
+                                      start.velocity.template cast<Scalar>().eval(), end_);
+    if (from) go_on(*from, instance_);
     result_.integrator = integrator.name;
-    result_.steps = scene::step_count(time_);
-    if (!runtime::is_oscillators(*model)) watch_.emplace(instance_, result_.steps);
-    observer_.state(0, instance_.state.z().template cast<double>().eval());
+    result_.steps = scene::step_count(time_) - done_;
+    if (!runtime::is_oscillators(*model)) watch_.emplace(instance_, from);
+    if (scene::any_measures(scene_.probes, scene::Quantity::acceleration))
+      room_.emplace(runtime::make_evaluation(model->force));
+    tell();
   }
   Moving(const Moving&) = delete;  // the watch looks at the instance
   Moving& operator=(const Moving&) = delete;
@@ -88,23 +167,43 @@ class Moving {
     const auto outcome = world::step<Scalar>(instance_, end_);
     add({t, seconds_since(started), outcome.iterations, outcome.rejected}, observer_, result_);
     if (outcome.status != runtime::Status::done) {
-      if (watch_) watch_->look(static_cast<double>(n - 1) * time_.step);
       const bool finite = outcome.status == runtime::Status::not_converged;
       result_.failure = {.cause = finite ? Cause::not_converged : Cause::not_finite, .step = n, .t = t, .pushed = {}};
       return false;
     }
+    done_ = n;
     if (watch_) watch_->after(n, t, outcome);
-    observer_.state(t, instance_.state.z().template cast<double>().eval());
+    tell();
     return true;
   }
 
-  RunResult result() const {
+  RunResult result() {
     auto result = result_;
-    if (watch_) watch_->report(result);
+    if (!result.failure)
+      result.last = {.steps = done_,
+                     .history = instance_.state.history.template cast<double>(),
+                     .last_dt = static_cast<double>(instance_.state.last_dt),
+                     .energy = {},
+                     .gain = {}};
+    if (watch_) watch_->report(time(), result);
     return result;
   }
 
  private:
+  double time() const { return static_cast<double>(done_) * time_.step; }
+
+  void tell() {
+    const auto& state = instance_.state;
+    now_.t = time();
+    now_.z = state.z().template cast<double>();
+    now_.velocity = state.velocity().template cast<double>();
+    if (room_)
+      now_.acceleration =
+          runtime::balanced_acceleration<Scalar>(*instance_.model, state.z(), state.velocity(), instance_.load, *room_)
+              .template cast<double>();
+    observer_.state(now_);
+  }
+
   const scene::Scene scene_;
   const scene::Time time_;
   const Observer& observer_;
@@ -113,6 +212,9 @@ class Moving {
   runtime::Vector<Scalar> end_;
   Instance<Scalar> instance_;
   std::optional<Watch<Scalar>> watch_;
+  std::optional<runtime::Evaluation<Scalar>> room_;  ///< where accelerations are measured
+  std::int64_t done_ = 0;                            ///< steps since t = 0
+  Moment now_;
   RunResult result_;
 };
 
@@ -154,7 +256,7 @@ class Loading {
     }
     begin_.swap(end_);
     from_ = t;
-    observer_.state(t, state);
+    observer_.state({.t = t, .z = state, .velocity = Eigen::VectorXd::Zero(state.size()), .acceleration = {}});
     return true;
   }
 
@@ -172,9 +274,22 @@ class Loading {
   RunResult result_;
 };
 
-/// All bodies from step `first` to the last, side by side.
+/// The steps that all bodies have behind them.
+std::int64_t steps_behind(std::span<const Actor> actors) {
+  std::optional<std::int64_t> steps;
+  for (const auto& actor : actors) {
+    const auto* from = std::get_if<Checkpoint>(&actor.start);
+    const auto behind = from ? from->steps : 0;
+    if (steps.value_or(behind) != behind) throw InputError("the bodies did not stop at the same time");
+    steps = behind;
+  }
+  return steps.value_or(0);
+}
+
+/// All bodies from step `first` on, side by side.
 template <class Body, class Scalar>
-std::vector<RunResult> go(const scene::Scene& scene, std::span<const Actor> actors, std::int64_t first) {
+std::vector<RunResult> go(const scene::Scene& scene, std::span<const Actor> actors, std::int64_t first,
+                          std::int64_t last) {
   std::map<const model::Body*, Shared<Scalar>> models;
   std::vector<std::unique_ptr<Body>> bodies;
   for (std::size_t i = 0; i < actors.size(); ++i) {
@@ -185,7 +300,6 @@ std::vector<RunResult> go(const scene::Scene& scene, std::span<const Actor> acto
       bodies.push_back(std::make_unique<Body>(name.empty() ? scene : scene::of_body(scene, name), model, actors[i]));
     });
   }
-  const auto last = bodies.empty() ? 0 : bodies.front()->result().steps;
   for (auto n = first; n <= last; ++n)
     if (!std::ranges::all_of(bodies, [n](const auto& body) { return body->step(n); })) break;
   std::vector<RunResult> results;
@@ -195,8 +309,9 @@ std::vector<RunResult> go(const scene::Scene& scene, std::span<const Actor> acto
 
 template <class Scalar>
 std::vector<RunResult> run_in(const scene::Scene& scene, std::span<const Actor> actors) {
-  if (std::holds_alternative<scene::Time>(scene.analysis)) return go<Moving<Scalar>, Scalar>(scene, actors, 1);
-  return go<Loading<Scalar>, Scalar>(scene, actors, 0);
+  if (const auto* time = std::get_if<scene::Time>(&scene.analysis))
+    return go<Moving<Scalar>, Scalar>(scene, actors, steps_behind(actors) + 1, scene::step_count(*time));
+  return go<Loading<Scalar>, Scalar>(scene, actors, 0, std::get<scene::Static>(scene.analysis).steps);
 }
 
 }  // namespace
@@ -216,7 +331,7 @@ std::vector<RunResult> run(const scene::Scene& scene, std::span<const Actor> act
 }
 
 RunResult run(const scene::Scene& scene, const model::Body& body, Precision precision, const Observer& observer) {
-  const Actor alone{&body, &observer};
+  const Actor alone{&body, &observer, {}};
   return run(scene, std::span(&alone, 1), precision).front();
 }
 

@@ -126,7 +126,8 @@ class Loads(Full):
     """Small enough to be linear, beside the same scene on all modes of the reduced model, whose loads NumPy checks
     (set_loads_test.py)."""
     HEAD = "[time]\nstep = 0.02\nend = 0.4\nintegrator = 'newmark'\n"
-    PROBES = '[[probe]]\nname = "tip"\nset = "xmax"\n[[probe]]\nname = "corner"\nvertex = 7\n'
+    PROBES = ('[[probe]]\nname = "tip"\nset = "xmax"\n[[probe]]\nname = "corner"\nvertex = 7\n'
+              'quantity = ["velocity", "displacement", "acceleration"]\n')
     TABLE = "table = [[0, 0], [0.1, 1], [0.3, -0.5]]\n"
     SCENES = {
         "gravity": ("gravity = [1e-6, 2e-6, -3e-6]\n", ""),
@@ -148,11 +149,78 @@ class Loads(Full):
                 with self.subTest(cells=cells, load=name):
                     words = self.scene(text=top + self.HEAD + rest + self.PROBES)
                     self.full(*mesh, *words, "-frames", "0", ranks=2)
-                    full = self.table("probes.csv")[1]
+                    header, full = self.table("probes.csv")
                     self.move("model.h5", "--scene", "scene.toml", "--frames", "0", "--quiet")
-                    reduced = self.table("probes.csv")[1]
-                    self.assertGreater(np.abs(reduced[:, 1:]).max(), 1e-10)
-                    self.assertLess(np.abs(full - reduced).max(), 1e-6 * np.abs(reduced[:, 1:]).max())
+                    said, reduced = self.table("probes.csv")
+                    self.assertEqual(header, said)
+                    for letter, digits in ("u", 1e-6), ("v", 1e-6), ("a", 1e-5):
+                        of = [i for i, column in enumerate(header) if column[-2:-1] == letter]
+                        self.assertGreater(np.abs(reduced[:, of]).max(), 1e-10)
+                        self.assertLess(np.abs(full - reduced)[:, of].max(), digits * np.abs(reduced[:, of]).max(), letter)
+
+
+class Starts(Full):
+    MOVE = "[time]\nstep = 0.01\nend = {end}\nintegrator = '{integrator}'\n"
+    PULL = "[[load]]\nset = 'xmax'\ntotal = [0, 1, 2]\ntable = [[0, 1]]\n"
+    PROBE = "[[probe]]\nname = 'p'\nset = 'xmax'\nquantity = ['displacement', 'velocity', 'acceleration']\n"
+
+    def test_in_equilibrium_it_stays_at_rest(self):
+        for integrator in ("avf", "newmark", "implicit-euler"):
+            self.full(*BEAM, *self.scene(text="gravity = [0, 0, -1]\n" + self.MOVE + self.PULL + self.PROBE +
+                                         "[initial]\nstatic = true\n", end=.1, integrator=integrator), "-frames", "0")
+            rows = self.table("probes.csv")[1]
+            size = np.abs(rows[0, 1:4]).max()
+            self.assertGreater(size, 1e-3)
+            self.assertLess(np.abs(rows[:, 1:4] - rows[0, 1:4]).max(), 1e-9 * size)
+            self.assertLess(np.abs(rows[:, 4:]).max(), 1e-6 * size)
+
+    def test_a_motion_gives_its_last_displacements_and_velocities(self):
+        self.full(*BEAM, *self.scene(text=self.MOVE + self.PULL, end=.1), "-output", "first.h5", "-frames", "0")
+        moved = self.motion("first.h5")["state"]
+        for time in ("", "time = 0.1\n"):
+            self.full(*BEAM, *self.scene(text=self.MOVE + self.PULL + f"[initial]\nmotion = 'first.h5'\n{time}", end=.1),
+                      "-every", "1", ranks=3)
+            np.testing.assert_array_equal(self.motion()["displacement"][0], moved["displacement"][:])
+        # loads that do not change with time go on as from a restart
+        self.full(*BEAM, *self.scene(text=self.MOVE + self.PULL, end=.2), "-restart", "first.h5", "-output", "on.h5")
+        for name in ("displacement", "velocity"):
+            expected = self.motion("on.h5")["state"][name][:]
+            self.assertLess(np.abs(self.motion()["state"][name][:] - expected).max(), 1e-9 * np.abs(expected).max())
+
+    def test_a_reduced_motion_starts_the_full_model_at_u_equals_U_z(self):
+        self.reduce(*BEAM, "-modes", "3")
+        self.write("swing.toml", "[time]\nstep = 0.01\nend = 0.1\n[initial]\nz = [0.1, 0.2, 0]\nvelocity = [0, 0, 3]\n")
+        self.move("model.h5", "--scene", "swing.toml", "--frames", "0")
+        z, zdot = (self.motion("motion.h5")[name][4] for name in ("z", "zdot"))
+        U = self.body()["basis/U"][:]
+        start = "[initial]\nmotion = 'motion.h5'\nmodel = 'model.h5'\ntime = 0.04\n"
+        self.full(*BEAM, *self.scene(text=self.MOVE + self.PROBE + start, end=.02), "-every", "1", ranks=3)
+        np.testing.assert_allclose(self.motion()["displacement"][0].ravel(), U @ z, atol=1e-14)
+        tip = np.isclose(self.motion()["points"][:, 0], 1)
+        velocity = (U @ zdot).reshape(-1, 3)[tip].mean(axis=0)
+        self.assertGreater(np.abs(velocity).max(), 1e-3)
+        np.testing.assert_allclose(self.table("probes.csv")[1][0, 4:7], velocity, atol=1e-13)
+
+    def test_what_it_cannot_start_from(self):
+        self.full(*BEAM, *self.scene(text=self.MOVE + self.PULL, end=.1), "-output", "first.h5", "-frames", "0")
+        self.reduce(*BEAM, "-modes", "2", "-output", "other.h5")
+        self.reduce(*BEAM, "-modes", "3")
+        self.move("model.h5", "--scene", self.scene(text=self.MOVE, end=.1)[1], "--frames", "0")
+        for initial, piece in (("z = [1]", "coordinates of a reduced model"),
+                               ("motion = 'first.h5'\ntime = 0.05", "velocities of its last state alone, at t = 0.1 s"),
+                               ("motion = 'motion.h5'", "motion of a reduced model"),
+                               ("motion = 'first.h5'\nmodel = 'model.h5'", "first.h5"),
+                               ("motion = 'motion.h5'\nmodel = 'other.h5'", "of another model than"),
+                               ("motion = 'none.h5'", "none.h5")):
+            with self.subTest(initial):
+                before = self.files() | {"scene.toml"}
+                said = self.full(*BEAM, *self.scene(text=self.MOVE + f"[initial]\n{initial}\n", end=.2), code=2).err
+                self.assertIn(piece, said)
+                self.assertEqual(len(sentences(said)), 1, said)
+                self.assertEqual(self.files(), before)
+        start = "[initial]\nmotion = 'motion.h5'\nmodel = 'model.h5'\n"
+        said = self.full(*BEAM, *self.scene(text=self.MOVE + start, end=.2), "-fix", "xmax", code=2).err
+        self.assertIn("another mesh, material or support", said)
 
 
 class Failures(Full):

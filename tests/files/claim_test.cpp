@@ -36,6 +36,8 @@ TEST(Claim, SeesWhatAnotherHasWrittenMeanwhile) {
   test::save(folder / "old.h5", "1");
   const Claim claim({.outputs = {named(folder / "new.h5"), named(folder / "old.h5")}});
   EXPECT_NO_THROW(claim.verify());
+  EXPECT_EQ(claim.replaced(), "replaced " + (folder / "old.h5").string());
+  EXPECT_EQ(Claim({.outputs = {named(folder / "newer.h5")}}).replaced(), "");
   test::save(folder / "other.h5", "1");
   EXPECT_NO_THROW(claim.verify()) << "of other names nothing is said";
   std::filesystem::rename(folder / "other.h5", folder / "old.h5");

@@ -36,15 +36,36 @@ TEST(Motion, OfAReducedBodyHoldsItsStatesAndFrames) {
   const test::Folder folder;
   const auto path = folder / "motion.h5";
   constexpr std::int64_t states = 9000;  // more than wait to be written
-  ReducedMotion motion(path, test::sample_geometry(),
-                       {.states = states, .columns = 2, .frame_times = {0, 1}, .time_units = "s"});
-  for (std::int64_t i = 0; i < states; ++i) motion.state(double(i), Eigen::Vector2d(2 * double(i), 2 * double(i) + 1));
+  ReducedMotion motion(
+      path, test::sample_geometry(),
+      {.states = states, .columns = 2, .frame_times = {0, 1}, .time_units = "s", .model_checksum = "ab"});
+  for (std::int64_t i = 0; i < states; ++i)
+    motion.state(double(i), Eigen::Vector2d(2 * double(i), 2 * double(i) + 1), Eigen::Vector2d(-double(i), 0));
   model::Points u = model::Points::Constant(4, 3, 1);
   motion.frame(u);
   motion.frame(2 * u);
+  const ReducedState end{.integrator = "newmark",
+                         .scene_checksum = "cd",
+                         .steps = states - 1,
+                         .last_step = .5,
+                         .history = Eigen::MatrixXd::Random(2, 3),
+                         .numbers = {}};
+  motion.keep(end);
   motion.finish();
   EXPECT_FALSE(std::filesystem::exists(path));
   motion.publish();
+  const ReducedMotionReader in(path, "the motion");
+  EXPECT_EQ(in.model_checksum(), "ab");
+  EXPECT_EQ(in.times().size(), std::size_t{states});
+  EXPECT_EQ(in.state(in.index_at(8000)), (Eigen::Matrix2d() << 16000, -8000, 16001, 0).finished());
+  EXPECT_EQ(in.index_at({}), std::size_t{states - 1});
+  EXPECT_THAT([&] { in.index_at(7.5); },
+              ThrowsMessage<InputError>(HasSubstr("the motion: it has no state at t = 7.5")));
+  const auto read = in.end();
+  EXPECT_EQ(read.history, end.history);
+  EXPECT_EQ(read.steps, states - 1);
+  EXPECT_EQ(read.scene_checksum, "cd");
+  EXPECT_THAT([&] { LastStateReader(path, "restart"); }, ThrowsMessage<InputError>(HasSubstr("of a reduced model")));
 
   const auto z = dataset_of(path, "z"), times = dataset_of(path, "times");
   ASSERT_EQ(z.size(), 2U * states);
@@ -147,6 +168,8 @@ TEST(Motion, ThatIsDamagedOrOfAnotherKindIsRefused) {
   };
   EXPECT_THAT(read_all, ThrowsMessage<InputError>(HasSubstr("/snapshots does not have the checksum")));
 
+  EXPECT_THAT([&] { ReducedMotionReader(path, "start"); },
+              ThrowsMessage<InputError>(HasSubstr("start: it is not a motion of a reduced model")));
   ReducedMotion(folder / "motion.h5", {}, {.states = 0, .columns = 1, .frame_times = {}, .time_units = "s"});
   EXPECT_FALSE(std::filesystem::exists(folder / "motion.h5")) << "what is not published is removed";
   EXPECT_THAT([&] { xdmf_path("a.xdmf", "--output a.xdmf"); },

@@ -47,6 +47,13 @@ set = "tip"
 [[probe]]
 name = "v"
 vertex = 4
+quantity = "acceleration"
+[[probe]]
+name = "all"
+vertex = 4
+quantity = ["velocity", "displacement"]
+[initial]
+z = [1, 2.5]
 )");
   const Scene scene = read(file.path());
   const auto& time = std::get<Time>(scene.analysis);
@@ -68,9 +75,15 @@ vertex = 4
   EXPECT_FALSE(scene.loads[1].table);
   EXPECT_EQ(std::get<Pressure>(scene.loads[2].kind).pascal, 1e5);
   EXPECT_THAT(std::get<Traction>(scene.loads[3].kind).pascal, ElementsAre(1, 0, 0));
-  ASSERT_EQ(scene.probes.size(), 2u);
+  ASSERT_EQ(scene.probes.size(), 3u);
   EXPECT_EQ(scene.probes[0].name, "tip");
   EXPECT_EQ(std::get<std::int64_t>(scene.probes[1].target), 4);
+  EXPECT_THAT(scene.probes[0].quantities, ElementsAre(Quantity::displacement));
+  EXPECT_THAT(probe_columns(scene.probes), ElementsAre("tip_ux", "tip_uy", "tip_uz", "v_ax", "v_ay", "v_az", "all_vx",
+                                                       "all_vy", "all_vz", "all_ux", "all_uy", "all_uz"));
+  EXPECT_TRUE(any_measures(scene.probes, Quantity::velocity));
+  EXPECT_THAT(std::get<CoordinateStart>(*scene.initial).z, ElementsAre(1, 2.5));
+  EXPECT_THAT(std::get<CoordinateStart>(*scene.initial).velocity, testing::IsEmpty());
 }
 
 TEST(Scene, ThatNamesNoBodiesHasOneWithoutAName) {
@@ -121,6 +134,18 @@ vertex = 7
   EXPECT_TRUE(other.loads.empty());
   EXPECT_TRUE(other.probes.empty());
   EXPECT_EQ(other.gravity, scene.gravity);  // gravity acts on all
+}
+
+TEST(Scene, SaysHowEachBodyStarts) {
+  const std::string bodies = "[[body]]\nname = 'a'\ninitial = { static = true }\n[[body]]\nname = 'b'\n";
+  const auto scene =
+      parse("time = {step = 1, end = 1}\n" + bodies + "[initial]\nmotion = 'm.h5'\ntime = 2\n", "in/s.toml");
+  EXPECT_TRUE(std::holds_alternative<StaticStart>(*of_body(scene, "a").initial));
+  const auto stored = std::get<StoredStart>(*of_body(scene, "b").initial);
+  EXPECT_EQ(stored.motion, "in/m.h5");
+  EXPECT_THAT(stored.time, testing::Optional(2.));
+  EXPECT_TRUE(stored.model.empty());
+  EXPECT_FALSE(parse("time = {step = 1, end = 1}\n", "s.toml").initial);
 }
 
 TEST(Scene, TheLeastScenes) {
@@ -242,6 +267,14 @@ TEST(Reference, IsASceneWithEveryKey) {
   EXPECT_EQ(read.probes.size(), 1u);
   EXPECT_TRUE(read.gravity && read.shake && read.loads[0].table && !read.damping.ratio.empty());
   for (const auto name : integrator_names) EXPECT_NE(text.find(name), text.npos) << name;
+  const std::string start = text.substr(text.find("z = ["), text.find("# static") - text.find("z = ["));
+  for (const std::string other : {"static = true", "motion = \"motion.h5\"", "motion = 'm.h5'\ntime = 0.25",
+                                  "motion = 'm.h5'\nmodel = \"model.h5\""}) {
+    EXPECT_NE(text.find("# " + other.substr(other.find('\n') + 1)), text.npos) << other;
+    std::string changed = text;
+    changed.replace(changed.find(start), start.size(), other + "\n");
+    EXPECT_NO_THROW(parse(changed, "changed.toml")) << other;
+  }
   for (const std::string other : {"each = [0.0, 0.0, -1.0]", "pressure = 1000.0", "traction = [0.0, 0.0, -1e3]"}) {
     ASSERT_NE(text.find("# " + other), text.npos);
     std::string changed = text;

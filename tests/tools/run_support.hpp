@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -105,6 +106,24 @@ inline Numbers read_numbers(const std::filesystem::path& path, const char* name)
   H5Sget_simple_extent_dims(space.get(), numbers.shape.data(), nullptr);
   numbers.values.resize(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.get())));
   H5Dread(dataset.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.values.data());
+  return numbers;
+}
+
+/// The numbers among the attributes of an object, by name.
+inline std::map<std::string, double> read_attributes(const std::filesystem::path& path, const char* name) {
+  const format::File file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
+  std::map<std::string, double> numbers;
+  const auto add = [](hid_t object, const char* attribute, const H5A_info_t*, void* all) -> herr_t {
+    const format::Attribute found(H5Aopen(object, attribute, H5P_DEFAULT));
+    const format::Type type(H5Aget_type(found.get()));
+    double value = 0;
+    if (H5Tget_class(type.get()) == H5T_STRING) return 0;
+    H5Aread(found.get(), H5T_NATIVE_DOUBLE, &value);
+    (*static_cast<std::map<std::string, double>*>(all))[attribute] = value;
+    return 0;
+  };
+  EXPECT_GE(H5Aiterate_by_name(file.get(), name, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, add, &numbers, H5P_DEFAULT),
+            0);
   return numbers;
 }
 

@@ -29,7 +29,7 @@ struct Seen {
 Seen see(const scene::Scene& scene, const model::Body& body, Precision precision = Precision::float64) {
   Seen seen;
   seen.result = run(scene, body, precision,
-                    {.state = [&](double t, const auto&) { seen.times.push_back(t); },
+                    {.state = [&](const Moment& now) { seen.times.push_back(now.t); },
                      .cost = [&](const StepCost& cost) { seen.costs.push_back(cost); }});
   return seen;
 }
@@ -109,12 +109,12 @@ TEST(Run, MovesSeveralBodiesSideBySideAsIfEachWereAlone) {
     std::vector<Observer> observers;
     for (std::size_t i = 0; i < 3; ++i)
       observers.push_back({.state =
-                               [&told, i](double t, const auto& z) {
-                                 told.push_back({i, t, z});
+                               [&told, i](const Moment& now) {
+                                 told.push_back({i, now.t, now.z});
                                },
                            .cost = [](const StepCost&) {}});
     std::vector<Actor> actors;
-    for (std::size_t i = 0; i < 3; ++i) actors.push_back({models[i], &observers[i]});
+    for (std::size_t i = 0; i < 3; ++i) actors.push_back({models[i], &observers[i], {}});
     const auto results = run(of_several(analysis, newtons), actors, Precision::float64);
     ASSERT_EQ(results.size(), 3u);
     for (std::size_t n = 0; n < told.size(); ++n) {
@@ -125,9 +125,9 @@ TEST(Run, MovesSeveralBodiesSideBySideAsIfEachWereAlone) {
       std::size_t n = i;
       const auto alone = run(pulled(analysis, newtons[i]), *models[i], Precision::float64,
                              {.state =
-                                  [&](double, const auto& z) {
+                                  [&](const Moment& now) {
                                     ASSERT_LT(n, told.size());
-                                    EXPECT_EQ(told[n].z, z);
+                                    EXPECT_EQ(told[n].z, now.z);
                                     n += 3;
                                   },
                               .cost = [](const StepCost&) {}});
@@ -144,8 +144,8 @@ TEST(Run, OfSeveralBodiesEndsWithTheFirstThatFails) {
   auto scene = of_several(second, {1, 1});
   scene.loads[1].table = scene::Table{{{.25, 0}, {.3, endless}}};
   int states = 0;
-  const Observer count{.state = [&](double, const auto&) { ++states; }, .cost = [](const StepCost&) {}};
-  const std::vector<Actor> actors(2, Actor{&body, &count});
+  const Observer count{.state = [&](const Moment&) { ++states; }, .cost = [](const StepCost&) {}};
+  const std::vector<Actor> actors(2, Actor{&body, &count, {}});
   const auto results = run(scene, actors, Precision::float64);
   EXPECT_FALSE(results[0].failure);
   ASSERT_TRUE(results[1].failure);
@@ -153,12 +153,57 @@ TEST(Run, OfSeveralBodiesEndsWithTheFirstThatFails) {
   EXPECT_EQ(states, 7);
 }
 
+TEST(Run, GoesOnFromWhereItStopped) {
+  const auto body = test::nonlinear_sample_model().bodies[0];
+  auto scene = pulled(second, 20);
+  scene.probes.push_back({.name = "tip", .target = "tip", .quantities = {scene::Quantity::acceleration}});
+  const auto run_on = [&](double end, const Start& start) {
+    std::vector<Moment> moments;
+    scene.analysis = scene::Time{.step = .1, .end = end, .integrator = scene::Integrator::newmark};
+    const Observer observer{.state = [&](const Moment& now) { moments.push_back(now); },
+                            .cost = [](const StepCost&) {}};
+    const Actor actor{&body, &observer, start};
+    auto result = run(scene, std::span(&actor, 1), Precision::float64).front();
+    return std::pair(std::move(moments), std::move(result));
+  };
+  const auto [whole, all] = run_on(4, {});
+  const auto [before, half] = run_on(1.7, {});
+  ASSERT_TRUE(half.last);
+  EXPECT_EQ(half.last->steps, 17);
+  const auto [after, rest] = run_on(4, *half.last);
+  EXPECT_EQ(rest.steps, 23);
+  ASSERT_EQ(after.size(), 24u);
+  for (std::size_t n = 0; n < after.size(); ++n) {
+    const auto& same = whole[17 + n];
+    EXPECT_EQ(after[n].t, same.t);
+    EXPECT_EQ(after[n].z, same.z);
+    EXPECT_EQ(after[n].velocity, same.velocity);
+    EXPECT_EQ(after[n].acceleration, same.acceleration);
+  }
+  EXPECT_EQ(rest.energy->work, all.energy->work);
+  EXPECT_EQ(rest.energy->gained, all.energy->gained);
+  EXPECT_EQ(rest.energy->lost, all.energy->lost);
+  EXPECT_EQ(rest.iterations + half.iterations, all.iterations);
+  Checkpoint other = *half.last;
+  other.history.conservativeResize(Eigen::NoChange, 2);
+  EXPECT_THROW(run_on(4, other), InputError);
+  EXPECT_THROW(run_on(4, GivenStart{Eigen::VectorXd::Zero(3), Eigen::VectorXd::Zero(3)}), InputError);
+}
+
+TEST(Run, OfANonlinearBodyCountsTheEnergyThatItStartsWith) {
+  auto scene = pulled(second, 0);
+  scene.initial = scene::CoordinateStart{.z = {0, 1}, .velocity = {0, 2}};
+  const auto result = see(scene, test::nonlinear_sample_model().bodies[0]).result;
+  EXPECT_NEAR(result.energy->start, 4. / 2 + 9. / 2 + 1, 1e-14);  // ½ z'² + ½ 9 z² + ¼ (2 z²)²
+  EXPECT_LE(result.energy->largest_drift, 1e-9 * result.energy->start);
+}
+
 TEST(Run, NamesTheBodyThatALoadDoesNotFit) {
   const auto body = test::sample_model().bodies[0];
   auto scene = of_several(second, {1, 1});
   scene.loads[1].target = "tpi";
-  const Observer nobody{.state = [](double, const auto&) {}, .cost = [](const StepCost&) {}};
-  const std::vector<Actor> actors(2, Actor{&body, &nobody});
+  const Observer nobody{.state = [](const Moment&) {}, .cost = [](const StepCost&) {}};
+  const std::vector<Actor> actors(2, Actor{&body, &nobody, {}});
   EXPECT_THAT([&] { run(scene, actors, Precision::float64); },
               testing::ThrowsMessage<InputError>(testing::StartsWith("body 'b': ")));
 }

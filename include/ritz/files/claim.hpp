@@ -44,6 +44,10 @@ class Claim {
   /// everything is written, before the first file is renamed.
   void verify() const;
 
+  /// What the run says of the files whose names it takes from earlier runs: "replaced m.h5, m.xdmf"; empty if there
+  /// were none.
+  std::string replaced() const;
+
   /// If the program is interrupted from now on, it says that the first output is complete.
   void say_published() const;
 

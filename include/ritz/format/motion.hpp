@@ -20,9 +20,9 @@ namespace ritz::format {
 /// InputError when `path` itself ends in .xdmf.
 std::filesystem::path xdmf_path(std::filesystem::path path, const std::string& name);
 
-/// Whether a dataset gets a checksum: if so, as the datasets of a model, with one row for the three numbers of each
-/// vertex.
-enum class Checked : std::uint8_t { no, by_vertex };
+/// Whether a dataset gets a checksum, and of which rows: the three numbers of each vertex, or, as in a model, all
+/// numbers of a first index, of which pieces then hold whole ones.
+enum class Checked : std::uint8_t { no, by_vertex, by_row };
 
 /// A dataset of 64-bit floats that is written in order, piece by piece.
 class NumberStream {
@@ -44,6 +44,7 @@ class NumberStream {
 
  private:
   void write(std::span<const double> piece);
+  hsize_t checked_row() const;  ///< numbers in a row of the checksum
 
   Dataset dataset_;
   Extent shape_;
@@ -64,10 +65,8 @@ struct StillBody {
 /// for ParaView.
 class MotionFile {
  public:
-  /// checked: HDF5's own records carry checksums, for files that are read again.
-  enum class Records : std::uint8_t { plain, checked };
   /// Creates the part file. Throws InputError or NumericalError when it cannot be created.
-  MotionFile(const std::filesystem::path& path, Records records);
+  explicit MotionFile(const std::filesystem::path& path);
 
   hid_t file() const { return file_.get(); }
   /// Writes cells, vertex numbers and frame times (not the points), makes each index of the first dimension of the
@@ -90,7 +89,18 @@ struct MotionPlan {
   std::int64_t states;   ///< number of states
   Eigen::Index columns;  ///< r
   std::vector<double> frame_times;
-  std::string time_units;  ///< "s"; in statics "1", as the times are load fractions
+  std::string time_units;           ///< "s"; in statics "1", as the times are load fractions
+  std::string model_checksum = {};  ///< coordinates_checksum of the model; empty: nothing can start from the motion
+};
+
+/// The end of a reduced motion, from which another run can continue.
+struct ReducedState {
+  std::string integrator;                 ///< whose columns `history` has
+  std::string scene_checksum;             ///< of what is done to the body
+  std::int64_t steps = 0;                 ///< steps since t = 0
+  double last_step = 0;                   ///< length of the last part of a step, s
+  Eigen::MatrixXd history;                ///< r rows, as runtime::State has them: z, z', ...
+  std::map<std::string, double> numbers;  ///< the balance of energy by name, J; empty for linear motions
 };
 
 /// Writes motion.h5, for a body that moves by u = U z.
@@ -100,16 +110,18 @@ class ReducedMotion {
   /// cannot draw.
   ReducedMotion(const std::filesystem::path& path, const model::Geometry& geometry, const MotionPlan& plan);
 
-  /// Appends the next state: t in s or load fractions, z of r numbers. To be called plan.states times.
-  void state(double t, Eigen::Ref<const Eigen::VectorXd> z);
+  /// Appends the next state: t in s or load fractions, z and z' of r numbers. To be called plan.states times.
+  void state(double t, Eigen::Ref<const Eigen::VectorXd> z, Eigen::Ref<const Eigen::VectorXd> velocity);
   /// Appends the next frame, n_stored x 3, m. To be called once for each of plan.frame_times.
   void frame(const model::Points& displacement);
+  /// Writes the end of the motion.
+  void keep(const ReducedState& state);
   void finish();
   void publish() { file_.publish(); }
 
  private:
   MotionFile file_;
-  NumberStream times_, z_, displacement_;
+  NumberStream times_, z_, velocity_, displacement_;
 };
 
 /// The times of an unreduced motion, known before the run.

@@ -1,10 +1,12 @@
-// What another run reads from an unreduced motion: its frames as snapshots, and its last state.
+// What another run reads from a motion: of an unreduced one its frames as snapshots, and its last state; of a reduced
+// one its states, and its end.
 #pragma once
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "ritz/format/motion.hpp"
 #include "ritz/format/stored_file.hpp"
@@ -29,6 +31,30 @@ class SnapshotReader : public StoredFile {
   Dataset dataset_;
   std::optional<std::uint64_t> checksum_;
   std::uint64_t sum_ = 0;
+};
+
+/// Reads motion.h5. Everything that is read is compared with its checksum.
+class ReducedMotionReader : public StoredFile {
+ public:
+  /// `name` stands for the path in messages. Throws InputError as StoredFile does, and for a file that ritz-run did not
+  /// write, or that an earlier one wrote without velocities.
+  ReducedMotionReader(const std::filesystem::path& path, std::string name);
+
+  /// coordinates_checksum of the model whose coordinates move. Throws InputError for the motion of a mode.
+  std::string model_checksum() const;
+  /// Of all states, s (of statics load fractions).
+  const std::vector<double>& times() const { return times_; }
+  /// The state at time `time`, to 1e-9 of the motion's length; without a time the last one. Throws InputError when
+  /// there is none.
+  std::size_t index_at(std::optional<double> time) const;
+  /// z and z' of state `index`, r x 2, √kg m and √kg m/s.
+  Eigen::MatrixXd state(std::size_t index) const;
+  /// The end of the motion. Throws InputError for statics, which have none, and for values that no motion can have.
+  ReducedState end() const;
+
+ private:
+  std::vector<double> times_;
+  Shape shape_;  ///< of z
 };
 
 /// Reads the last state of full.h5.

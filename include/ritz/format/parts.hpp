@@ -107,6 +107,10 @@ void write_report(ModelWriter& out, const model::Report& report, std::string_vie
 /// Empty when the body has no report.
 model::Report read_report(const ModelReader& in, std::string_view body = schema::default_body);
 
+/// A checksum of what reduced coordinates mean: of the basis U, its modes or reduction, and the polynomial if there is
+/// one. Motions name it, so that none is taken for that of another model. Made of stored checksums; reads no numbers.
+std::string coordinates_checksum(const ModelReader& in, std::string_view body = schema::default_body);
+
 /// Writes all parts of a body under its own name; for one rank. Bodies are written one after another.
 void write_body(ModelWriter& out, const model::Body& body);
 /// Reads all parts of the body called `name`. Throws InputError, also when there is no such body or its parts do not

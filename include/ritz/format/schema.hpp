@@ -114,6 +114,8 @@ inline constexpr auto vertex_ids = "/vertex_ids";
 inline constexpr auto cells = "/cells";
 inline constexpr auto times = "/times";
 inline constexpr auto z = "/z";
+inline constexpr auto zdot = "/zdot";
+inline constexpr auto model_checksum = "model_checksum";
 inline constexpr auto frame_times = "/frame_times";
 inline constexpr auto displacement = "/displacement";
 inline constexpr auto snapshots = "/snapshots";
@@ -124,6 +126,12 @@ inline constexpr std::array<const char*, 4> vertex_arrays = {points, "/state/dis
 inline constexpr std::array<const char*, 6> state_numbers = {"t", "kinetic", "elastic", "work", "dissipated", "start"};
 inline constexpr auto integrator = "integrator";
 inline constexpr auto kind = "kind";
+inline constexpr auto history = "/state/history";
+inline constexpr auto scene_checksum = "scene_checksum";
+inline constexpr auto steps = "steps";
+inline constexpr auto last_step = "last_step";
+inline constexpr std::array energies = {"start", "gained", "lost", "available", "work", "dissipated"};
+inline constexpr std::array energy_gain = {"gain_since", "gain_largest"};
 }  // namespace motion
 
 /// "parent/child".

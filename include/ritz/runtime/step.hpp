@@ -121,9 +121,15 @@ Workspace<Scalar> make_workspace(const Model<Scalar>& model, const Integrator& i
                                  std::type_identity_t<Scalar> dt, const NewtonOptions<Scalar>& options = {},
                                  Loads loads = Loads::of_time);
 
-/// The state with the given z and z' under the load `load`, r numbers each. Where the integrator needs the acceleration
-/// a, it solves M a = load − D z' − f̃(z) − h. The frame of a carried body is at the origin; assign another one
-/// afterwards, with a quaternion of unit length. `load` is by the axes of that frame.
+/// The acceleration a, r numbers, in balance with the given z and z' under the load `load`, r numbers each: the
+/// solution of M a = load − D z' − f̃(z) − h. Overwrites `room`.
+template <class Scalar>
+Vector<Scalar> balanced_acceleration(const Model<Scalar>& model, VectorRef<Scalar> z, VectorRef<Scalar> velocity,
+                                     VectorRef<Scalar> load, Evaluation<Scalar>& room);
+
+/// The state with the given z and z' under the load `load`, r numbers each. Where the integrator needs the
+/// acceleration, it is the balanced one. The frame of a carried body is at the origin; assign another one afterwards,
+/// with a quaternion of unit length. `load` is by the axes of that frame.
 template <class Scalar>
 State<Scalar> make_state(const Model<Scalar>& model, const Integrator& integrator, VectorRef<Scalar> z,
                          VectorRef<Scalar> velocity, VectorRef<Scalar> load);

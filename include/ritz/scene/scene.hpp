@@ -45,11 +45,30 @@ struct Traction {
   Vector3 pascal;
 };  ///< on a surface set, consistent
 
+struct StaticStart {};  ///< at rest, in equilibrium under the loads at t = 0
+
+/// z and z' of a reduced model. An empty list: zeros.
+struct CoordinateStart {
+  std::vector<double> z;         ///< √kg m
+  std::vector<double> velocity;  ///< √kg m/s
+};
+
+/// A state of a motion file.
+struct StoredStart {
+  std::filesystem::path motion;
+  std::optional<double> time;   ///< of that motion, s; absent: its last state
+  std::filesystem::path model;  ///< for the full model: the reduced model that the motion is of; empty: none
+};
+
+/// How a motion starts, at t = 0.
+using Initial = std::variant<StaticStart, CoordinateStart, StoredStart>;
+
 /// A body of a scene that names its bodies. Several bodies may have the same model.
 struct Body {
   std::string name;
-  std::filesystem::path model;  ///< the model file; empty: the one on the command line
-  std::string model_body;       ///< the name of the body in that file; empty: the first one
+  std::filesystem::path model;          ///< the model file; empty: the one on the command line
+  std::string model_body;               ///< the name of the body in that file; empty: the first one
+  std::optional<Initial> initial = {};  ///< absent: that of the scene
 };
 
 struct Load {
@@ -85,24 +104,39 @@ struct Static {
   int steps;
 };
 
+/// What a probe measures: m, m/s or m/s², relative to the ground where that shakes.
+enum class Quantity { displacement, velocity, acceleration };
+
+/// As scene files spell them, in the order of the enumeration.
+inline constexpr std::array<std::string_view, 3> quantity_names = {"displacement", "velocity", "acceleration"};
+
 struct Probe {
   std::string name;
   Target target;          ///< a set: the plain mean over its vertices
-  std::string body = {};  ///< the body whose displacement it is; empty in a scene that names no bodies
+  std::string body = {};  ///< the body that it is on; empty in a scene that names no bodies
+  std::vector<Quantity> quantities = {Quantity::displacement};  ///< in statics displacements alone
 };
+
+/// The columns of a table of these probes, one after another: NAME_ux, NAME_uy, NAME_uz for displacements, NAME_vx, …
+/// for velocities, NAME_ax, … for accelerations.
+std::vector<std::string> probe_columns(const std::vector<Probe>& probes);
+
+/// Whether any of these probes measures `quantity`.
+bool any_measures(const std::vector<Probe>& probes, Quantity quantity);
 
 struct Scene {
   std::variant<Time, Static> analysis;
   Damping damping;
   std::optional<Vector3> gravity;  ///< m/s²
   std::optional<Shake> shake;
-  std::vector<Body> bodies = {};  ///< none: there is one body, which has no name
+  std::optional<Initial> initial = {};  ///< absent: a motion starts at rest, undeformed
+  std::vector<Body> bodies = {};        ///< none: there is one body, which has no name
   std::vector<Load> loads;
   std::vector<Probe> probes;
 };
 
-/// The scene of one body: a scene that names no bodies, with the loads and probes of this body alone. Gravity, shaking
-/// and damping are the same for all bodies.
+/// The scene of one body: a scene that names no bodies, with the loads and probes of this body alone, and with its own
+/// start if it has one. Gravity, shaking and damping are the same for all bodies.
 Scene of_body(const Scene& scene, std::string_view name);
 
 /// The number of steps that reach `end`. A shortfall of 1e-9 of a step is ignored, so that 1 s in steps of 0.1 s is ten

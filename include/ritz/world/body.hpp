@@ -36,8 +36,14 @@ struct Instance {
   Scalar dt = 0;                 ///< step length, s
 };
 
-/// An instance at rest (z = z' = 0) under the load `load`, r numbers, for steps of `dt` seconds. Throws InputError when
-/// the integrator cannot take such steps (see runtime::make_workspace).
+/// An instance with the given z and z' under the load `load`, r numbers each, for steps of `dt` seconds. Throws
+/// InputError when the integrator cannot take such steps (see runtime::make_workspace).
+template <class Scalar>
+Instance<Scalar> make_instance(std::shared_ptr<const runtime::Model<Scalar>> model,
+                               const runtime::Integrator& integrator, std::type_identity_t<Scalar> dt,
+                               runtime::VectorRef<Scalar> z, runtime::VectorRef<Scalar> velocity,
+                               runtime::VectorRef<Scalar> load);
+/// The same at rest: z = z' = 0.
 template <class Scalar>
 Instance<Scalar> make_instance(std::shared_ptr<const runtime::Model<Scalar>> model,
                                const runtime::Integrator& integrator, std::type_identity_t<Scalar> dt,

@@ -27,6 +27,9 @@ class EnergyWatch {
  public:
   /// `energy`: E₀, J.
   explicit EnergyWatch(double energy) : balance_{.start = energy, .available = energy} {}
+  /// Goes on from what another watch found.
+  EnergyWatch(const EnergyBalance& balance, const std::optional<EnergyGain>& gain)
+      : balance_(balance), worst_(gain.value_or(EnergyGain{})) {}
 
   /// Adds the work of the loads and the energy dissipated by damping over one step, J.
   void add(double work, double dissipated);

@@ -35,7 +35,8 @@ Eigen::MatrixXd unit_force(const model::Body& body, const scene::Target& target)
 /// translations R_t. Throws InputError as unit_force does, and for a pressure or traction on a set without a surface.
 ReducedLoad reduce_loads(const scene::Scene& scene, const model::Body& body);
 
-/// The 3p x r matrix P, 1/√kg: P z are the displacements along x, y, z of the p probes of the scene, m. The mean over a
+/// The 3p x r matrix P, 1/√kg: P z are the displacements along x, y, z of the p probes of the scene, m, P z' and P z''
+/// their velocities and accelerations. The mean over a
 /// set is the transpose of its unit_force, and so is known even where the vertices of the set are not stored. Throws
 /// InputError as unit_force does.
 Eigen::MatrixXd probe_matrix(const scene::Scene& scene, const model::Body& body);

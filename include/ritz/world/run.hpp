@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "ritz/base/error.hpp"
@@ -26,10 +27,19 @@ struct StepCost {
   int rejected = 0;    ///< attempts that did not converge, after which the step was halved
 };
 
-/// Functions that a run calls: `cost` after each step, then `state` with the state that was reached (r numbers), which
-/// is also called once with the first state.
+/// A state that a run reached, r numbers each.
+struct Moment {
+  double t = 0;                  ///< time, s, or load fraction
+  Eigen::VectorXd z;             ///< √kg m
+  Eigen::VectorXd velocity;      ///< z', √kg m/s; 0 in statics
+  Eigen::VectorXd acceleration;  ///< z'', √kg m/s², in balance with z, z' and the load at t, whatever the integrator;
+                                 ///< empty unless a probe of the body measures accelerations
+};
+
+/// Functions that a run calls: `cost` after each step, then `state` with the state that was reached, which is also
+/// called once with the first state.
 struct Observer {
-  std::function<void(double t, const Eigen::Ref<const Eigen::VectorXd>& z)> state;
+  std::function<void(const Moment& now)> state;
   std::function<void(const StepCost& cost)> cost;
 };
 
@@ -54,14 +64,33 @@ struct Failure {
   std::optional<Eigen::Index> pushed;  ///< statics of a free linear body: a rigid mode on which the load does work
 };
 
+/// A motion after some steps of its scene: all that the next step and the balance of energy depend on. A run that goes
+/// on from it repeats one that did not stop, to the last bit.
+struct Checkpoint {
+  std::int64_t steps = 0;               ///< made since t = 0
+  Eigen::MatrixXd history;              ///< as in runtime::State
+  double last_dt = 0;                   ///< as in runtime::State, s
+  std::optional<EnergyBalance> energy;  ///< only for nonlinear motions
+  std::optional<EnergyGain> gain;
+};
+
+/// z and z', r numbers each, √kg m and √kg m/s.
+struct GivenStart {
+  Eigen::VectorXd z, velocity;
+};
+
+/// How a body starts: as the scene says; with the state of a motion file that the scene names; or where it stopped.
+using Start = std::variant<std::monostate, GivenStart, Checkpoint>;
+
 /// The outcome of a run, for one body.
 struct RunResult {
   std::string_view integrator;                ///< its name; empty for statics
-  std::int64_t steps = 0;                     ///< the number of steps of the scene
+  std::int64_t steps = 0;                     ///< the number of steps of the run
   double seconds = 0;                         ///< wall time of stepping, without recording
   std::int64_t iterations = 0, rejected = 0;  ///< sums over all steps, as in StepCost
   std::optional<EnergyBalance> energy;        ///< only for nonlinear motions
   std::optional<EnergyGain> gain;             ///< present if a nonlinear motion gained energy without work
+  std::optional<Checkpoint> last;             ///< where a motion ended
   std::optional<Failure> failure;             ///< present if the run ended early
 };
 
@@ -79,13 +108,15 @@ void naming(const std::string& body, Work work) try {
 struct Actor {
   const model::Body* body;
   const Observer* observer;
+  Start start = {};  ///< of statics always the first alternative
 };
 
-/// Runs a scene: in time, from rest at t = 0 to the end; or in statics, through the load fractions 0, 1/steps, ... 1,
-/// between which the load is linear. `actors` has one entry for each of scene.bodies, in the same order, or a single
-/// one if the scene names no bodies. All bodies make a step before any of them makes the next, and the first failure
-/// ends the run. Bodies with the same model::Body share one equation. Returns one result for each body. Throws
-/// InputError for loads, probes or steps that a body does not admit.
+/// Runs a scene: in time, from its start at t = 0, or from where all bodies stopped, to the end; or in statics, through
+/// the load fractions 0, 1/steps, ... 1, between which the load is linear. `actors` has one entry for each of
+/// scene.bodies, in the same order, or a single one if the scene names no bodies. All bodies make a step before any of
+/// them makes the next, and the first failure ends the run. Bodies with the same model::Body share one equation.
+/// Returns one result for each body. Throws InputError for loads, probes, steps or a start that a body does not admit,
+/// and std::logic_error where the scene names a motion file and the actor has no start.
 std::vector<RunResult> run(const scene::Scene& scene, std::span<const Actor> actors, Precision precision);
 
 /// As above, for a scene that names no bodies.
