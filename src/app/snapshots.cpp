@@ -1,11 +1,13 @@
 #include "ritz/app/snapshots.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <fstream>
 #include <memory>
 #include <regex>
 #include <string>
+#include <vector>
 
 #include "ritz/base/error.hpp"
 #include "ritz/base/regular_file.hpp"
@@ -46,35 +48,67 @@ NpyArray read_npy_header(const std::filesystem::path& file, const std::string& o
   const auto text = header_text(in);
   if (text.empty()) refuse("that is not a .npy file of version 1, 2 or 3; write it with numpy.save");
   const std::regex form(
-      R"(\{ *'descr': *'<f8', *'fortran_order': *False, *'shape': *\((\d{1,15}), *(\d{1,15}),?\),? *\})");
+      R"(\{ *'descr': *'<f([48])', *'fortran_order': *(False|True), *'shape': *\((\d{1,15}), *(\d{1,15}),?\),? *\})");
   std::smatch found;
   const auto header = without_padding(text);
   if (!std::regex_match(header, found, form))
-    refuse("snapshots must be a float64 array of two dimensions in C order, a snapshot a row");
-  const NpyArray array{static_cast<std::int64_t>(in.tellg()), std::stoll(found[1]), std::stoll(found[2])};
+    refuse("snapshots must be an array of float64 or float32 of two dimensions, a snapshot a row");
+  const NpyArray array{.first_byte = static_cast<std::int64_t>(in.tellg()),
+                       .rows = std::stoll(found[3]),
+                       .columns = std::stoll(found[4]),
+                       .number_bytes = std::stoi(found[1]),
+                       .order = found[2] == "True" ? NpyOrder::by_columns : NpyOrder::by_rows};
   const auto bytes = static_cast<std::int64_t>(std::filesystem::file_size(file)) - array.first_byte;
-  const std::int64_t row = 8 * array.columns;
+  const std::int64_t row = array.number_bytes * array.columns;
   if (row > 0 && bytes / row < array.rows)
     refuse("the file ends before its snapshot " + std::to_string(bytes / row + 1));
   if (bytes != row * array.rows) refuse("the file is longer than its header says; write it again with numpy.save");
   return array;
 }
 
-namespace {
+void read_npy(std::istream& in, const NpyArray& array, std::int64_t first, std::span<double> into) {
+  in.seekg(array.first_byte + array.number_bytes * first);
+  if (array.number_bytes == sizeof(double)) {
+    in.read(reinterpret_cast<char*>(into.data()), static_cast<std::streamsize>(into.size_bytes()));
+    return;
+  }
+  std::vector<float> numbers(into.size());
+  in.read(reinterpret_cast<char*>(numbers.data()), static_cast<std::streamsize>(sizeof(float) * numbers.size()));
+  std::copy(numbers.begin(), numbers.end(), into.begin());
+}
 
-using Row = Eigen::VectorXd;
+namespace {
 
 [[noreturn]] void refuse_snapshots(const std::filesystem::path& file, const std::string& why) {
   throw InputError("option -snapshots " + file.string() + ": " + why);
 }
 
-/// One vector after another out of a file, from the first to the last.
+/// The vectors of a file.
 class Snapshots {
  public:
   virtual ~Snapshots() = default;
-  virtual void read(std::int64_t row, Row& into) = 0;
+  /// The rows of these vertices, three each, of all snapshots.
+  virtual algebra::Tall at(std::span<const std::int64_t> vertices) = 0;
 
   std::int64_t count = 0, length = 0;
+
+ protected:
+  [[noreturn]] void refuse_infinite(const std::filesystem::path& file, std::int64_t snapshot) const {
+    refuse_snapshots(file, "snapshot " + std::to_string(snapshot + 1) + " holds a number that is not finite");
+  }
+  /// By reading one snapshot after another.
+  template <class Read>
+  algebra::Tall by_snapshot(const std::filesystem::path& file, std::span<const std::int64_t> vertices, Read read) {
+    algebra::Tall u(mesh::components * std::ssize(vertices), count);
+    Eigen::VectorXd row(length);
+    for (std::int64_t s = 0; s < count; ++s) {
+      read(s, std::span(row.data(), static_cast<std::size_t>(length)));
+      if (!row.allFinite()) refuse_infinite(file, s);
+      for (std::size_t v = 0; v < vertices.size(); ++v)
+        mesh::at_vertex(u.col(s), static_cast<Eigen::Index>(v)) = mesh::at_vertex(row, vertices[v]);
+    }
+    return u;
+  }
 };
 
 class NumpySnapshots : public Snapshots {
@@ -85,13 +119,31 @@ class NumpySnapshots : public Snapshots {
     length = array_.columns;
   }
 
-  void read(std::int64_t row, Row& into) override {
-    in_.seekg(array_.first_byte + 8 * row * length);
-    in_.read(reinterpret_cast<char*>(into.data()), 8 * length);
-    if (!in_) refuse_snapshots(file_, "the file ends before its snapshot " + std::to_string(row + 1));
+  algebra::Tall at(std::span<const std::int64_t> vertices) override {
+    if (array_.order == NpyOrder::by_columns) return by_vertex(vertices);
+    return by_snapshot(file_, vertices, [&](std::int64_t s, std::span<double> row) {
+      read_npy(in_, array_, s * length, row);
+      if (!in_) refuse_snapshots(file_, "the file ends before its snapshot " + std::to_string(s + 1));
+    });
   }
 
  private:
+  /// In Fortran order the numbers of all snapshots at a component of a vertex stand together.
+  algebra::Tall by_vertex(std::span<const std::int64_t> vertices) {
+    const Eigen::Index n = mesh::components * std::ssize(vertices);
+    algebra::Tall u(n, count);
+    algebra::Tall three(count, mesh::components);
+    for (std::size_t v = 0; v < vertices.size(); ++v) {
+      read_npy(in_, array_, mesh::components * vertices[v] * count,
+               std::span(three.data(), static_cast<std::size_t>(three.size())));
+      if (!in_) refuse_snapshots(file_, "the file ends before all of its snapshots");
+      for (std::int64_t s = 0; s < count; ++s)
+        if (!three.row(s).allFinite()) refuse_infinite(file_, s);
+      u.middleRows<mesh::components>(mesh::components * static_cast<Eigen::Index>(v)) = three.transpose();
+    }
+    return u;
+  }
+
   std::filesystem::path file_;
   std::ifstream in_;
   NpyArray array_;
@@ -100,16 +152,18 @@ class NumpySnapshots : public Snapshots {
 /// Of a file that ritz-full wrote, or of another.
 class StoredSnapshots : public Snapshots {
  public:
-  explicit StoredSnapshots(const std::filesystem::path& file) : in_(file, "option -snapshots " + file.string()) {
+  explicit StoredSnapshots(const std::filesystem::path& file)
+      : file_(file), in_(file, "option -snapshots " + file.string()) {
     count = in_.count();
     length = in_.length();
   }
 
-  void read(std::int64_t row, Row& into) override {
-    in_.read(row, {into.data(), static_cast<std::size_t>(into.size())});
+  algebra::Tall at(std::span<const std::int64_t> vertices) override {
+    return by_snapshot(file_, vertices, [&](std::int64_t s, std::span<double> row) { in_.read(s, row); });
   }
 
  private:
+  std::filesystem::path file_;
   format::SnapshotReader in_;
 };
 
@@ -131,17 +185,7 @@ std::unique_ptr<Snapshots> open_for(const mesh::Mesh& mesh, const std::filesyste
 }
 
 algebra::Tall read_rows(const std::filesystem::path& file, const mesh::Mesh& mesh) {
-  const auto in = open_for(mesh, file);
-  algebra::Tall u(mesh::components * mesh.owned, in->count);
-  Row row(in->length);
-  for (std::int64_t s = 0; s < in->count; ++s) {
-    in->read(s, row);
-    if (!row.allFinite())
-      refuse_snapshots(file, "snapshot " + std::to_string(s + 1) + " holds a number that is not finite");
-    for (int v = 0; v < mesh.owned; ++v)
-      mesh::at_vertex(u.col(s), v) = mesh::at_vertex(row, mesh.file_positions[static_cast<std::size_t>(v)]);
-  }
-  return u;
+  return open_for(mesh, file)->at(std::span(mesh.file_positions).first(static_cast<std::size_t>(mesh.owned)));
 }
 
 }  // namespace

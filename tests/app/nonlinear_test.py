@@ -67,10 +67,18 @@ class Nonlinear(InAFolder):
     def test_snapshots_of_the_full_model_give_its_states_back(self):
         full = self.full_tip()
         with h5py.File(self.folder / "full.h5") as file:
-            np.save(self.folder / "states.npy", file["snapshots"][:])
-        tips = [self.reduced_tip("-modes", "0", "-snapshots", name) for name in ("full.h5", "states.npy")]
+            states = file["snapshots"][:]
+        np.save(self.folder / "states.npy", states)
+        np.save(self.folder / "fortran.npy", np.asfortranarray(states))
+        np.save(self.folder / "single.npy", states.astype(np.float32))
+        np.save(self.folder / "both.npy", np.asfortranarray(states.astype(np.float32)))
+        names = ("full.h5", "states.npy", "fortran.npy", "single.npy", "both.npy")
+        tips = [self.reduced_tip("-modes", "0", "-snapshots", name) for name in names]
         np.testing.assert_allclose(tips[0], full, rtol=0, atol=1e-6 * np.abs(full).max())
         np.testing.assert_allclose(tips[1], tips[0], rtol=0, atol=1e-12)
+        np.testing.assert_array_equal(tips[2], tips[1])
+        np.testing.assert_array_equal(tips[4], tips[3])
+        np.testing.assert_allclose(tips[3], full, rtol=0, atol=1e-5 * np.abs(full).max())
 
     def test_a_basis_without_modes_is_used_again(self):
         self.full_tip()
