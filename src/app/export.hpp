@@ -9,8 +9,9 @@
 
 namespace ritz::app {
 
-/// The files of K, M and the modes, beside the model: MODEL_K.mtx, MODEL_M.mtx, MODEL_modes.mtx (MatrixMarket) or .bin
-/// (PETSc). None when nothing is exported.
+/// The files beside the model: K, M and the modes, MODEL_K.mtx, MODEL_M.mtx, MODEL_modes.mtx (MatrixMarket) or .bin
+/// (PETSc); and MODEL_rows.csv, which says of each of their rows (from 1) whose displacement it is:
+/// row,vertex,component, with the mesh file's own number of the vertex and x, y or z. None when nothing is exported.
 std::vector<std::filesystem::path> exported_files(const config::Config& config);
 
 /// *Collective*. Writes these files, which the caller publishes. Rows are the free degrees of freedom, ordered by

@@ -4,8 +4,10 @@ import unittest
 import numpy as np
 from scipy.io import mmread
 
+from mesh_file import write_shuffled_beam
 from program import BOX, InAFolder
 
+MATERIAL = ["-material_young", "1e6", "-material_poisson", ".3", "-material_density", "1000"]
 SLIDING = ["-fix", "xmin:x,ymin:yz"]
 
 
@@ -51,6 +53,23 @@ class Export(InAFolder):
         keep = keep.ravel()
         self.assertEqual(held.shape[0], keep.sum())
         self.assertLess(abs(held - free[keep][:, keep]).max(), 1e-9 * abs(free).max())
+
+    def test_a_table_says_whose_row_it_is(self):
+        """On a mesh whose vertices have numbers and an order of their own."""
+        write_shuffled_beam(self.folder / "m.msh")
+        for ranks in (1, 3):
+            self.reduce("-mesh", "m.msh", "-fix", "box:-.01,.01,-1,1,-1,1:yz", *MATERIAL, "-modes", "2", "-export",
+                        "matrixmarket", ranks=ranks)
+            body = self.body()
+            x, ids = body["geometry/points"][:], body["geometry/vertex_ids"][:]
+            held = abs(x[:, 0]) < .01
+            expected = [(str(i), "xyz"[c]) for i, h in zip(ids, held) for c in range(3) if not (h and c)]
+            lines = (self.folder / "model_rows.csv").read_text().splitlines()
+            self.assertEqual(lines[0], "row,vertex,component")
+            rows = [line.split(",") for line in lines[1:]]
+            self.assertEqual([(v, c) for _, v, c in rows], expected)
+            self.assertEqual([int(row) for row, _, _ in rows], list(range(1, len(expected) + 1)))
+            self.assertEqual(mmread(self.folder / "model_K.mtx").shape[0], len(expected))
 
     def test_the_number_of_ranks_does_not_matter(self):
         one = self.market(*SLIDING, ranks=1)
