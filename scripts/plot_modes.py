@@ -9,6 +9,7 @@ import argparse
 import csv
 import math
 
+import h5py
 import matplotlib
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -47,7 +48,21 @@ def read_surface(path):
 
 def read_frequencies(path):
     with open(path, newline="") as file:
-        return [(row["kind"], float(row["frequency_hz"])) for row in csv.DictReader(file)]
+        table = csv.DictReader(file)
+        if not {"kind", "frequency_hz"} <= set(table.fieldnames or ()):
+            raise SystemExit(f"{path} is not a table of frequencies, as ritz-reduce writes it beside its model")
+        return [(row["kind"], float(row["frequency_hz"])) for row in table]
+
+
+def refuse_another_model(model, table, modes):
+    """Whether the table is the one of this model shows in every frequency."""
+    with h5py.File(model) as file:
+        stored = [np.sqrt(body["modes/eigenvalues"][:]) / (2 * math.pi)
+                  for body in file["bodies"].values() if "modes" in body]
+    hertz = np.array([frequency for _, frequency in modes])
+    close = lambda own: len(own) == len(hertz) and np.allclose(own, hertz, rtol=1e-6, atol=1e-6 * own.max(initial=0))  # noqa: E731
+    if not any(map(close, stored)):
+        raise SystemExit(f"{table} is the table of another model than {model}: its frequencies are others")
 
 
 def eye(points):
@@ -128,6 +143,7 @@ def main():
     points, faces, vectors = read_surface(options.model)
     shapes = [vectors[name] for name in sorted(vectors) if name.startswith("mode_")]
     modes = read_frequencies(options.frequencies)
+    refuse_another_model(options.model, options.frequencies, modes)
     if len(modes) != len(shapes):
         raise SystemExit(f"{options.model} holds {len(shapes)} modes and {options.frequencies} lists {len(modes)}")
     flexible = [(f"{hertz:.1f} Hz", shape) for (kind, hertz), shape in zip(modes, shapes) if kind == "flexible"]
