@@ -142,10 +142,13 @@ class Loads(Full):
     }
 
     def test_they_are_those_of_the_reduced_model(self):
-        for cells, modes in (("4,2,1/tet4", 72), ("3,2,1/tet10", 270), ("4,2,1/hex8", 72)):
+        of_shapes = ("gravity", "pressure", "traction")  # what the shape of cells and faces decides
+        for cells, modes, names in (("4,2,1/tet4", 72, of_shapes), ("2,2,1/tet10", 180, of_shapes),
+                                    ("4,2,1/hex8", 72, self.SCENES)):
             mesh = ["-mesh", f"box:1,.15,.1/{cells}", *BEAM[2:]]
             self.reduce(*mesh, "-modes", str(modes), ranks=1)
-            for name, (top, rest) in self.SCENES.items():
+            for name in names:
+                top, rest = self.SCENES[name]
                 with self.subTest(cells=cells, load=name):
                     words = self.scene(text=top + self.HEAD + rest + self.PROBES)
                     self.full(*mesh, *words, "-frames", "0", ranks=2)
