@@ -1,5 +1,5 @@
 # What `cmake --install` puts where: programs into bin, the layers marked INSTALLED into lib and include/ritz, and a
-# package file by which another project says find_package(ritz COMPONENTS world format).
+# package file by which another project says find_package(ritz).
 include(CMakePackageConfigHelpers)
 set(package "${CMAKE_INSTALL_LIBDIR}/cmake/ritz")
 

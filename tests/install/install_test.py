@@ -111,6 +111,47 @@ def use_from_outside(consumer, work, prefix, model, options):
     return build
 
 
+def snippets(source):
+    """What the pages tell CMake to do with ritz, by the page."""
+    pages = [source / "README.md", *sorted((source / "docs").glob("*.md"))]
+    return [(page, text) for page in pages
+            for text in re.findall(r"^```cmake\n(.*?)^```$", page.read_text(), re.MULTILINE | re.DOTALL)
+            if "find_package(ritz" in text]
+
+
+def use_as_documented(source, work, prefix, model, options):
+    """The pages' very text builds and runs the example that it names."""
+    told = snippets(source)
+    expect(source / "README.md" in {page for page, _ in told}, "README.md does not say how another project uses ritz")
+    for number, (page, text) in enumerate(told):
+        folder = work / f"documented_{number}"
+        shutil.rmtree(folder, ignore_errors=True)
+        shutil.copytree(source / "examples", folder)
+        (folder / "CMakeLists.txt").write_text(text)
+        run("cmake", "-S", folder, "-B", folder / "build", f"-DCMAKE_PREFIX_PATH={prefix}",
+            f"-DCMAKE_CXX_FLAGS={' '.join(options)}")
+        run("cmake", "--build", folder / "build")
+        lines = run(folder / "build" / "push", model, "10").splitlines()
+        expect(len(lines) == 200 and any(float(line.split()[3]) for line in lines), f"{page}: push moves nothing")
+
+
+def use_without_hdf5(project, work, prefix, options):
+    """ritz::world, where neither pkg-config nor CMake finds HDF5; ritz::format is then refused by what it lacks."""
+    nothing = work / "no_packages"
+    nothing.mkdir(exist_ok=True)
+    hidden = ("env", f"PKG_CONFIG_LIBDIR={nothing}", "PKG_CONFIG_PATH=", "cmake", f"-DCMAKE_PREFIX_PATH={prefix}",
+              "-DCMAKE_DISABLE_FIND_PACKAGE_HDF5=ON")
+    build = work / "eigen_alone"
+    shutil.rmtree(build, ignore_errors=True)
+    said = run(*hidden, "-S", project, "-B", build, f"-DCMAKE_CXX_FLAGS={' '.join(options)}")
+    expect("ritz without ritz::format" in said, said)
+    run("cmake", "--build", build)
+    swung = float(run(build / "swing"))
+    expect(abs(swung - (1 - math.cos(2))) < 1e-13, f"the body swings to {swung}, not to 1 - cos(2)")
+    expect(not any("hdf5" in library for library in needed(build / "swing")), "ritz::world brings HDF5")
+    refused(work, hidden, "format", "needs serial HDF5")
+
+
 def check_links(prefix, build):
     for program in (prefix / "bin" / "ritz-run", prefix / "bin" / "ritz-inspect", build / "play", build / "oscillate"):
         libraries = needed(program)
@@ -120,15 +161,15 @@ def check_links(prefix, build):
     expect(not any("hdf5" in library for library in needed(build / "oscillate")), "ritz::runtime brings HDF5")
 
 
-def check_refusal(work, prefix):
-    """A component that ritz does not have is named."""
-    folder = work / "refused"
-    folder.mkdir(exist_ok=True)
+def refused(work, cmake, component, why):
+    """A component that cannot be had is refused with a sentence."""
+    folder = work / f"refused_{component}"
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir()
     (folder / "CMakeLists.txt").write_text("cmake_minimum_required(VERSION 3.22)\nproject(p LANGUAGES CXX)\n"
-                                           "find_package(ritz REQUIRED COMPONENTS stages)\n")
-    done = subprocess.run(["cmake", "-S", folder, "-B", folder / "build", f"-DCMAKE_PREFIX_PATH={prefix}"],
-                          capture_output=True, text=True)
-    expect(done.returncode != 0 and "no component 'stages'" in " ".join(done.stderr.split()), done.stderr)
+                                           f"find_package(ritz REQUIRED COMPONENTS {component})\n")
+    done = subprocess.run([*cmake, "-S", folder, "-B", folder / "build"], capture_output=True, text=True)
+    expect(done.returncode != 0 and why in " ".join(done.stderr.split()), done.stderr)
 
 
 def main():
@@ -143,7 +184,9 @@ def main():
     check_module(build, prefix, model)
     consumer = use_from_outside(source / "tests" / "install" / "consumer", work, prefix, model, sys.argv[4:])
     check_links(prefix, consumer)
-    check_refusal(work, prefix)
+    use_as_documented(source, work, prefix, model, sys.argv[4:])
+    use_without_hdf5(source / "tests" / "install" / "eigen_alone", work, prefix, sys.argv[4:])
+    refused(work, ("cmake", f"-DCMAKE_PREFIX_PATH={prefix}"), "stages", "no component 'stages'")
     run(prefix / "bin" / "ritz-run", "--help")
     print("ritz installs, and another project runs on it")
 
