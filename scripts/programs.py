@@ -1,5 +1,7 @@
 """Runs of the programs: how one is started, what it answered and cost, and the sentence that it fails with."""
 import os
+import platform
+import re
 import shlex
 import subprocess
 import tempfile
@@ -46,6 +48,18 @@ class Ran:
         lines = [line for line in self.err.splitlines() if any(map(str.isalpha, line)) and "warning: " not in line]
         own = [line for line in lines if line.startswith("ritz-")]
         return next(iter(own or lines), "no reason given")
+
+
+def machine():
+    """What figures are measured on: "Intel Xeon at 2.8 GHz, 2 cores, 24 GB, Linux 6.1.0 x86_64"."""
+    try:
+        processor = re.search(r"^model name\s*: *(.*)", Path("/proc/cpuinfo").read_text(), re.MULTILINE)
+    except OSError:
+        processor = None
+    name = processor[1] if processor else platform.processor() or "a processor without a name"
+    memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
+    return (f"{' '.join(name.split())}, {len(os.sched_getaffinity(0))} cores, {memory / 1e9:.0f} GB, "
+            f"{platform.system()} {platform.release()} {platform.machine()}")
 
 
 def built():

@@ -7,7 +7,6 @@ The programs are those of RITZ_BIN, else of build/default/bin. Exit code 1 when 
 """
 import argparse
 import datetime
-import platform
 import shlex
 import sys
 import tempfile
@@ -17,7 +16,7 @@ from pathlib import Path
 import h5py
 
 from bench import SOFT, Bench, text
-from programs import built
+from programs import built, machine
 from stability import report, table
 from stability.row import Length, Verdict, run_row
 
@@ -32,7 +31,7 @@ def facts(programs, arguments):
             program = f"{text(made.attrs['program'])} on {made.attrs['ranks']} ranks"
             versions = {text(name): text(version) for name, version in made["versions"][:]}
     return {"command": shlex.join(arguments), "date": datetime.datetime.now().isoformat(" ", "minutes"),
-            "machine": f"{platform.system()} {platform.release()} {platform.machine()}", "program": program, **versions}
+            "machine": machine(), "program": program, **versions}
 
 
 def waiting(rows, done_guess, spent):

@@ -13,8 +13,8 @@ PROGRAMS = ("ritz-reduce", "ritz-run", "ritz-full")
 
 
 def build_of(folder):
-    """Names a build: rows of another one are not comparable."""
-    digest = hashlib.sha256()
+    """Names a build on this machine: rows of another one are not comparable."""
+    digest = hashlib.sha256(programs.machine().encode())
     for name in PROGRAMS:
         digest.update((folder / name).read_bytes())
     return digest.hexdigest()[:12]

@@ -2,12 +2,14 @@
 
 Finished runs stand in runs.csv; what an unfinished one has so far stands in work/BUILD/SCENE/state/KEY.json.
 """
+import datetime
 import random
 import shutil
 import statistics
 from dataclasses import dataclass
 from pathlib import Path
 
+import programs
 from report import reference, table, trial
 from report.bench import Bench, load, save
 from report.methods import BY_NAME, Form, key_of, plan
@@ -88,7 +90,9 @@ def time_round(campaign, bench, runs, states, repetition):
 
 
 def finish(campaign, bench, found, run, key, state):
-    row = columns(bench.scene, run) | {"key": key, "program": campaign.program} | found.body.facts | found.facts
+    row = columns(bench.scene, run) | {"key": key, "program": campaign.program, "machine": programs.machine(),
+                                       "form": campaign.form.name, "date": datetime.date.today().isoformat()}
+    row |= found.body.facts | found.facts
     row |= state["row"] | (summary(state["samples"]) if state["samples"] else {})
     table.append(campaign.output / "over_time.csv", table.OVER_TIME,
                  [{"key": key, "t": t, "error": error} for t, error in state["over_time"]])

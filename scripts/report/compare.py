@@ -21,8 +21,9 @@ def front(points):
 
 
 def to_reach(rows, error):
-    """Of the runs that are at most so wrong, the cheapest; None where there is none."""
-    good = [row for row in done(rows) if row["error_integrated"] <= error]
+    """Of the runs that are at most so wrong, the cheapest; None where there is none, and where the reference itself is not
+    so sure: an error below its floor tells nothing."""
+    good = [row for row in done(rows) if max(row["error_integrated"], row["floor"]) <= error]
     return min(good, key=lambda row: row["seconds"], default=None)
 
 
@@ -33,7 +34,13 @@ def time_to(rows, error):
         return f"{row['seconds']:.3g} s"
     if not done(rows):
         return "failed" if rows else "–"
-    return f"{percent(min(row['error_integrated'] for row in done(rows)))} at best"
+    return f"{told(min(done(rows), key=lambda row: row['error_integrated']))} at best"
+
+
+def told(row):
+    """A run's error in words, as far as the reference tells it."""
+    below = row["error_integrated"] < row["floor"]
+    return f"below {percent(row['floor'])}" if below else percent(row["error_integrated"])
 
 
 def percent(share):

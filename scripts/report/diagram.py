@@ -1,5 +1,5 @@
 """What work-precision diagrams are drawn of."""
-import math
+from matplotlib.transforms import Bbox
 
 from report import compare
 from report.methods import METHODS
@@ -38,14 +38,14 @@ def kind(row):
 
 def one_percent(axes):
     axes.axhline(0.01, color="#2e86ab", linewidth=0.8, alpha=0.6)
-    axes.annotate("1 %", (0.004, 0.01), xycoords=("axes fraction", "data"), fontsize=7, color="#2e86ab", va="bottom")
+    axes.annotate("1 %", (1.004, 0.01), xycoords=("axes fraction", "data"), fontsize=7, color="#2e86ab", va="center")
 
 
 def frame(axes, rows, shown):
-    """The Pareto front of all rows, the real-time line, the reference's floor, and a cross for each failure among those
+    """The Pareto front of all rows as far as the reference tells errors, the real-time line, the reference's floor, and a cross for each failure among those
     that are shown."""
     axes.set(xscale="log", yscale="log")
-    points = [(row["seconds"], row["error_integrated"]) for row in compare.done(rows)]
+    points = [(row["seconds"], max(row["error_integrated"], row["floor"])) for row in compare.done(rows)]
     best = [points[i] for i in compare.front(points)]
     axes.step(*zip(*best), where="post", color="0.75", linewidth=6, alpha=0.5, zorder=0,
               label="Pareto front of all runs")
@@ -62,18 +62,15 @@ def frame(axes, rows, shown):
         axes.plot(bad, [LARGEST] * len(bad), "x", color="#b00020", clip_on=False, zorder=5,
                   label="failed (time until then)")
     one_percent(axes)
-    axes.set_ylim(max(LEAST, 0.5 * min(floor, *(error for _, error in points))), LARGEST)
+    axes.set_ylim(max(LEAST, 0.5 * min(floor, *(row["error_integrated"] for row in compare.done(rows)))), LARGEST)
 
 
-CLOSE = (0.2, 0.06)  # decades of time and of error within which a second label would cover the first
-
-
-def line(axes, rows, label, point, labelled):
-    """A line through runs, from small to large and coarse to fine, with the quartiles of their time. `point`: what is
-    written at a point, unless one of the places in `labelled` is too close; adds its own."""
+def line(axes, rows, label, point):
+    """A line through runs, from small to large and coarse to fine, with the quartiles of their time. Returns what `point`
+    says of each, as labels for `place`."""
     good = sorted(compare.done(rows), key=lambda row: (row["k"], row["r"], -row["step"]))
     if not good:
-        return
+        return []
     first = good[0]
     colour, seconds = COLOURS[first["method"]], [row["seconds"] for row in good]
     axes.errorbar(seconds, [row["error_integrated"] for row in good], marker=MARKS[first["integrator"]], color=colour,
@@ -81,10 +78,33 @@ def line(axes, rows, label, point, labelled):
                         [max(0, row["seconds_q3"] - row["seconds"]) for row in good]],
                   linewidth=1, markersize=4, elinewidth=0.8, label=label,
                   linestyle="--" if first["precision"] == "single" else "-")
-    for row in good:
-        place = math.log10(row["seconds"]), math.log10(row["error_integrated"])
-        if any(all(abs(a - b) < width for a, b, width in zip(place, other, CLOSE)) for other in labelled):
-            continue
-        labelled.append(place)
-        axes.annotate(point(row), (row["seconds"], row["error_integrated"]), xytext=(4, 3), textcoords="offset points",
-                      fontsize=6.5, color=colour)
+    return [(point(row), row["seconds"], row["error_integrated"], colour) for row in good]
+
+
+SIDES = ((4, 3, "left", "bottom"), (-4, 3, "right", "bottom"), (4, -3, "left", "top"), (-4, -3, "right", "top"),
+         (0, 5, "center", "bottom"), (0, -5, "center", "top"))
+
+
+POINT = 4  # pixels of a marker that no label may cover
+
+
+def place(axes, labels):
+    """Writes labels (text, x, y, colour) beside their points, first come first served: on the first side where one covers
+    no other text of the axes and no point, and does not leave them. Where there is none it is left out. The figure
+    is laid out, and all else is in the axes."""
+    renderer, inside = axes.figure.canvas.get_renderer(), axes.get_window_extent()
+    taken = [text.get_window_extent(renderer) for text in axes.texts]
+    points = axes.transData.transform([(x, y) for _, x, y, _ in labels]) if labels else []
+    taken += [Bbox.from_bounds(x - POINT / 2, y - POINT / 2, POINT, POINT) for x, y in points]
+    for text, x, y, colour in labels:
+        note = axes.annotate(text, (x, y), xytext=(0, 0), textcoords="offset points", fontsize=6.5, color=colour)
+        note.set_in_layout(False)
+        for right, up, ha, va in SIDES:
+            note.set(position=(right, up), ha=ha, va=va)
+            box = note.get_window_extent(renderer).padded(1)
+            if inside.containsx(box.x0) and inside.containsx(box.x1) and inside.containsy(box.y0) \
+                    and inside.containsy(box.y1) and not any(map(box.overlaps, taken)):
+                taken.append(box)
+                break
+        else:
+            note.remove()

@@ -94,14 +94,15 @@ def step_sweep(scene, method):
 @dataclass(frozen=True)
 class Form:
     """How much of the plan is run, and how often."""
+    name: str
     repetitions: int
     limits: Limits = Limits()
 
 
 FORMS = {
-    "full": Form(10),
-    "quick": Form(3, Limits(sizes=((4, 0), (8, 0), (4, 8), (4, 14), (8, 20), (0, 10)),
-                                 integrators=("exact", "avf", "newmark", "implicit-euler"))),
+    "full": Form("full", 10),
+    "quick": Form("quick", 3, Limits(sizes=((4, 0), (8, 0), (4, 8), (4, 14), (8, 20), (0, 10)),
+                                     integrators=("exact", "avf", "newmark", "implicit-euler"))),
 }
 
 

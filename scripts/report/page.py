@@ -10,8 +10,8 @@ from report import compare, diagram, errors, lean, pictures, table
 from report.methods import METHODS
 
 STYLE = """body{font:15px/1.5 sans-serif;max-width:1150px;margin:2em auto;padding:0 1em;color:#222}
-table{border-collapse:collapse;margin:1em 0;font-size:13px}
-td,th{border-bottom:1px solid #ddd;padding:.25em .7em;text-align:right}
+table{border-collapse:collapse;margin:1em 0;font-size:12px}.wide{overflow-x:auto}
+td,th{border-bottom:1px solid #ddd;padding:.25em .5em;text-align:right;vertical-align:top}
 td:first-child,th:first-child{text-align:left}th{background:#f5f5f5}svg{max-width:100%;height:auto}
 dt{font-weight:bold}dd{margin:0 0 .5em 1.5em}caption{text-align:left;font-weight:bold;padding:.5em 0}"""
 
@@ -34,8 +34,8 @@ def number(value, unit=""):
 
 def rows_table(caption, heads, lines):
     body = "".join("<tr>" + "".join(f"<td>{cell(x)}</td>" for x in line) + "</tr>\n" for line in lines)
-    return (f"<table><caption>{cell(caption)}</caption>\n<tr>" + "".join(f"<th>{cell(head)}</th>" for head in heads) +
-            f"</tr>\n{body}</table>\n")
+    return (f"<div class=\"wide\"><table>{caption and f'<caption>{cell(caption)}</caption>'}\n<tr>" +
+            "".join(f"<th>{cell(head)}</th>" for head in heads) + f"</tr>\n{body}</table></div>\n")
 
 
 def svg(name, figure):
@@ -61,7 +61,7 @@ def reach_table(rows):
         row = compare.to_reach(of_method, 0.01)
         if row:
             lines.append((method.title, diagram.knobs(row), row["integrator"], row["precision"], number(row["step"]),
-                          compare.percent(row["error_integrated"]), number(row["seconds"], " s"), number(row["microseconds"]),
+                          compare.told(row), number(row["seconds"], " s"), number(row["microseconds"]),
                           number(row["microseconds_p99"]), number(row["precompute_seconds"], " s"),
                           number(compare.break_even(row, rows))))
         elif of_method:
@@ -72,24 +72,26 @@ def reach_table(rows):
 
 def summary_table(rows):
     heads, lines = compare.reach(rows, diagram.TITLES, 0.01)
-    return rows_table("Time of stepping to reach an error of 1 %", heads, lines)
+    return rows_table("", heads, lines)
 
 
-def cost_table(rows):
+def cost_tables(rows):
+    """What each size of a method costs and gains, at one step: the motion, and the making of its model."""
     chosen = [row for row in compare.done(rows) if row["sweep"] == "basis"]
-    titles = diagram.TITLES
-    lines = [(titles[row["method"]], diagram.knobs(row), number(row["columns"]), compare.percent(row["error_integrated"]),
-              compare.percent(row["error_max"]), compare.percent(row["error_frequency"]), number(row["error_force"]),
-              number(row["energy_balance"]),
-              f"{number(row['microseconds'])} ({number(row['microseconds_q1'])} … {number(row['microseconds_q3'])})",
-              number(row["microseconds_p99"]), number(row["iterations"]), number(row["rejected"]),
-              number(row["precompute_seconds"], " s"), row["precompute_stages"],
-              number(row["precompute_memory"] / 1e6), number(row["run_memory"] / 1e6), number(row["file_bytes"] / 1e6),
-              number(compare.break_even(row, rows)), number(row["repetitions"])) for row in chosen]
-    return rows_table("Costs at one step", ("method", "knobs", "columns", "error", "largest", "frequency", "force",
-                      "energy", "µs a step (quartiles)", "p99", "iterations", "rejected", "precomputation",
-                      "its stages, s", "its memory, MB", "the run's, MB", "file, MB", "break-even steps",
-                      "repetitions"), lines)
+    name = lambda row: (diagram.TITLES[row["method"]], diagram.knobs(row))  # noqa: E731
+    motions = [(*name(row), compare.told(row), compare.percent(row["error_max"]), compare.percent(row["error_frequency"]),
+                number(row["error_force"]), number(row["energy_balance"]),
+                f"{number(row['microseconds'])} ({number(row['microseconds_q1'])} … {number(row['microseconds_q3'])})",
+                number(row["microseconds_p99"]), number(row["iterations"]), number(row["rejected"]),
+                number(row["run_memory"] / 1e6)) for row in chosen]
+    models = [(*name(row), number(row["columns"]), number(row["precompute_seconds"], " s"), row["precompute_stages"],
+               number(row["precompute_memory"] / 1e6), number(row["file_bytes"] / 1e6),
+               number(compare.break_even(row, rows))) for row in chosen if row["method"] != "full"]
+    return rows_table(f"Motions at a step of {diagram.step(chosen[0])}" if chosen else "Motions",
+                      ("method", "knobs", "error", "largest", "frequency", "force", "energy", "µs a step (quartiles)", "p99",
+                       "iterations", "rejected", "memory, MB"), motions) + \
+        rows_table("What their models cost", ("method", "knobs", "columns", "precomputation", "its stages, s",
+                                              "its memory, MB", "file, MB", "break-even steps"), models)
 
 
 def omissions(rows):
@@ -101,12 +103,27 @@ def omissions(rows):
     if not lines:
         return "<p>No run failed, and none was left out.</p>"
     heads = ("scene", "method", "knobs", "integrator", "precision", "step", "reason")
-    return rows_table("Runs that failed, and methods that a scene leaves out", heads, lines)
+    return rows_table("", heads, lines)
+
+
+FORMS = {"quick": "the quick form: fewer and smaller scenes and sizes, timed in three rounds; not for figures that are quoted",
+         "full": "the full form"}
+
+
+def origin(rows):
+    """What was run, where and when, in a sentence; what the rows do not say is left out."""
+    values = lambda name: sorted({row[name] for row in rows if row.get(name)})  # noqa: E731
+    forms = " and ".join(FORMS.get(form, form) for form in values("form"))
+    dates = values("date")
+    when = "" if not dates else dates[0] if len(dates) == 1 else f"{dates[0]} to {dates[-1]}"
+    parts = (f"This is {forms}." if forms else "", f"Measured {when} on {'; '.join(values('machine'))}." if when else "",
+             f"{'; '.join(values('versions'))}; build {', '.join(values('program'))}." if rows else "")
+    return " ".join(filter(None, parts))
 
 
 def scene_part(folder, rows, frames):
     name, first = rows[0]["scene"], rows[0]
-    text = (f"<h2>{cell(first['title'])}</h2>\n<p>{first['vertices']:.0f} vertices, {first['cells']:.0f} cells, "
+    text = (f"<p>{first['vertices']:.0f} vertices, {first['cells']:.0f} cells, "
             f"{first['dofs']:.0f} degrees of freedom; ritz-reduce and ritz-full on {first['ranks']:.0f} rank(s). "
             f"Reference: the full model, {'AVF, step' if first['analysis'] == 'time' else 'load step'} "
             f"{number(first['reference_step'])}; its floor {compare.percent(first['floor'])}. "
@@ -120,7 +137,7 @@ def scene_part(folder, rows, frames):
         picture(folder, f"{name}_work_precision", pictures.work_precision(rows)), reach_table(rows),
         picture(folder, f"{name}_over_time", pictures.over_time(rows, here)),
         picture(folder, f"{name}_break_even", pictures.break_even(rows)),
-        picture(folder, f"{name}_parts", pictures.parts(rows)), cost_table(rows)))
+        picture(folder, f"{name}_parts", pictures.parts(rows)), cost_tables(rows)))
 
 
 def by_load(folder, rows):
@@ -140,19 +157,32 @@ def lean_table(folder):
              for row in rows]
     heads = ("kind of scene", "options", "stages that ran", "seconds", "memory, MB", "file, MB",
              "ritz-run: load, one step, a frame, ms", "resident, MB")
-    return rows_table(f"What each kind of scene needs (a beam, {lean.BEAMS[rows[0]['form']]})", heads, lines) if rows else ""
+    return rows_table(f"A beam, {lean.BEAMS[rows[0]['form']]}", heads, lines) if rows else ""
+
+
+def sections_of(folder, rows, frames):
+    """Anchor, title and content of each part of the page."""
+    yield "reach", "Time of stepping to an error of 1 %", summary_table(rows)
+    if load := by_load(folder, rows):
+        yield "load", "Where linear motion stops being enough", load
+    for scene in compare.scenes(rows):
+        part = [row for row in rows if row["scene"] == scene]
+        yield scene, part[0]["title"], scene_part(folder, part, frames)
+    if needs := lean_table(folder):
+        yield "lean", "Nothing that a scene does not need", needs
+    yield "omissions", "What failed or was left out", omissions(rows)
+    yield ("definitions", "Definitions", "<dl>" + "".join(
+        f"<dt>{cell(name)}</dt><dd>{cell(text)}</dd>\n" for name, text in errors.DEFINITIONS.items()) + "</dl>")
 
 
 def write(folder):
     """Returns the path of index.html."""
     rows, frames = table.read(folder / "runs.csv"), table.read(folder / "over_time.csv")
-    definitions = "".join(f"<dt>{cell(name)}</dt><dd>{cell(text)}</dd>\n" for name, text in errors.DEFINITIONS.items())
-    parts = [scene_part(folder, [row for row in rows if row["scene"] == scene], frames)
-             for scene in compare.scenes(rows)]
-    versions = cell(f"{rows[0]['versions']}; build {rows[0]['program']}") if rows else ""
-    text = (f"<!DOCTYPE html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>Error against run time</title>\n"
-            f"<style>{STYLE}</style>\n<h1>Error against run time</h1>\n<p>{versions}</p>\n<p>{INTRODUCTION}</p>\n"
-            f"{summary_table(rows)}\n{by_load(folder, rows)}\n" + "\n".join(parts) +
-            f"<h2>Omissions</h2>\n{omissions(rows)}\n{lean_table(folder)}\n<h2>Definitions</h2>\n<dl>{definitions}</dl>\n</html>\n")
-    (folder / "index.html").write_text(text)
+    sections = list(sections_of(folder, rows, frames))
+    contents = "".join(f"<li><a href=\"#{cell(anchor)}\">{cell(title)}</a></li>\n" for anchor, title, _ in sections)
+    parts = "".join(f"<h2 id=\"{cell(anchor)}\">{cell(title)}</h2>\n{text}\n" for anchor, title, text in sections)
+    (folder / "index.html").write_text(
+        f"<!DOCTYPE html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>Error against run time</title>\n"
+        f"<style>{STYLE}</style>\n<h1>Error against run time</h1>\n<p>{cell(origin(rows))}</p>\n<ul>\n{contents}</ul>\n"
+        f"<p>{INTRODUCTION}</p>\n{parts}</html>\n")
     return folder / "index.html"

@@ -19,21 +19,23 @@ def work_precision(rows):
     sizes = [row for row in rows if row["sweep"] == "basis" and row["method"] != "full"] + full
     steps = [row for row in rows if size_of(row) in swept and row["method"] not in ("linear_polynomial", "pod")]
     diagram.frame(above, rows, sizes)
-    labelled = []
+    of_sizes, of_steps = [], []
     for method in dict.fromkeys(row["method"] for row in sizes):
         line = [row for row in sizes if row["method"] == method]
-        diagram.line(above, line, TITLES[method], diagram.step if method == "full" else diagram.knobs, labelled)
+        of_sizes += diagram.line(above, line, TITLES[method], diagram.step if method == "full" else diagram.knobs)
     above.set_title(f"The size of the model, at a step of {diagram.step(sizes[0])}", loc="left")
     diagram.frame(below, rows, steps)
-    labelled = []
     for kind in dict.fromkeys((row["method"], row["integrator"], row["precision"]) for row in steps):
         line = [row for row in steps if (row["method"], row["integrator"], row["precision"]) == kind]
-        diagram.line(below, line, diagram.kind(line[0]), diagram.step, labelled)
+        of_steps += diagram.line(below, line, diagram.kind(line[0]), diagram.step)
     below.set_title("The step and the integrator, at one size of each model", loc="left")
     for axes in (above, below):
-        axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+        axes.legend(loc="upper left", bbox_to_anchor=(1.03, 1.0))
         axes.set_ylabel("time-integrated error, relative (M-norm)")
     below.set_xlabel("time of stepping through the scene, s")
+    figure.draw_without_rendering()
+    diagram.place(above, of_sizes)
+    diagram.place(below, of_steps)
     return figure
 
 
@@ -56,7 +58,7 @@ def over_time(rows, frames):
     axes.set(yscale="log", ylabel="‖u − v‖_M / max ‖v‖_M",
              xlabel="t, s" if rows[0]["analysis"] == "time" else "load fraction",
              title="Error over time: of each method its best size")
-    axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+    axes.legend(loc="upper left", bbox_to_anchor=(1.03, 1.0))
     return figure
 
 
@@ -77,13 +79,13 @@ def break_even(rows):
     for row in best_sizes(rows):
         paid = compare.break_even(row, rows)
         after = f"\npaid back after {paid:.0f} steps" if paid <= MOST_STEPS else ""
-        label = f"{named(row)} ({compare.percent(row['error_integrated'])} off){after}"
+        label = f"{named(row)} ({compare.told(row)} off){after}"
         axes.plot(steps, spent(row, steps), color=COLOURS[row["method"]], label=label)
         if after:
             axes.plot(paid, spent(row, paid), marker="o", color=COLOURS[row["method"]])
     axes.set(xscale="log", yscale="log", xlabel="steps", ylabel="s, precomputation and training included",
              title="Steps after which a reduced model is paid back: of each method its best size")
-    axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+    axes.legend(loc="upper left", bbox_to_anchor=(1.03, 1.0))
     return figure
 
 
@@ -103,7 +105,7 @@ def parts(rows):
     axes.set(xscale="log", xlabel="relative error", xlim=(LEAST, None),
              title="The error's parts, one refined at a time")
     axes.invert_yaxis()
-    axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+    axes.legend(loc="upper left", bbox_to_anchor=(1.03, 1.0))
     return figure
 
 
@@ -112,11 +114,12 @@ def over_load(rows):
     figure, axes = plt.subplots(figsize=(11, 4.2), layout="constrained")
     chosen = [row for row in compare.done(rows)
               if row["sweep"] == "basis" and row["method"] in ("linear", "derivatives")]
+    ends = []
     for method, size in dict.fromkeys((row["method"], diagram.knobs(row)) for row in chosen):
         line = sorted((row["load_factor"], row["error_integrated"]) for row in chosen
                       if (row["method"], diagram.knobs(row)) == (method, size))
         axes.plot(*zip(*line), color=COLOURS[method], marker=MARKS["avf"], markersize=4, linewidth=1)
-        axes.annotate(size, line[-1], xytext=(4, -2), textcoords="offset points", fontsize=7, color=COLOURS[method])
+        ends.append((size, *line[-1], COLOURS[method]))
     for method in dict.fromkeys(row["method"] for row in chosen):
         axes.plot([], [], color=COLOURS[method], label=TITLES[method])
     floors = sorted({(row["load_factor"], row["floor"]) for row in chosen})
@@ -126,5 +129,8 @@ def over_load(rows):
     until = "" if np.isnan(enough) else f": within 1 % up to {enough:.2g} times the load"
     axes.set(xscale="log", yscale="log", xlabel="factor of the load", ylabel="time-integrated error, relative",
              title=f"Where linear stops being enough{until}")
-    axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+    axes.margins(x=0.08)
+    axes.legend(loc="upper left", bbox_to_anchor=(1.03, 1.0))
+    figure.draw_without_rendering()
+    diagram.place(axes, ends)
     return figure

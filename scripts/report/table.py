@@ -5,14 +5,15 @@ import os
 
 COLUMNS = (
     "key", "scene", "title", "load_factor", "analysis", "end", "mesh_checksum", "problem_checksum", "vertices", "cells",
-    "dofs", "program", "versions", "ranks", "method", "flags", "k", "r", "columns", "integrator", "precision", "step",
+    "dofs", "program", "versions", "machine", "form", "date", "ranks", "method", "flags", "k", "r", "columns", "integrator", "precision", "step",
     "sweep", "status", "reason", "repetitions", "microseconds", "microseconds_q1", "microseconds_q3",
     "microseconds_p99", "seconds", "seconds_q1", "seconds_q3", "iterations", "rejected", "run_memory",
     "precompute_seconds", "precompute_stages", "precompute_memory", "file_bytes", "error_integrated", "error_max",
     "error_basis", "error_time", "error_mesh", "mesh_compared", "floor", "reference_step", "error_frequency",
     "error_force", "energy_balance")
 OVER_TIME = ("key", "t", "error")
-TEXTS = {"key", "scene", "title", "analysis", "mesh_checksum", "problem_checksum", "program", "versions", "method",
+TEXTS = {"key", "scene", "title", "analysis", "mesh_checksum", "problem_checksum", "program", "versions",
+         "machine", "form", "date", "method",
          "flags", "integrator", "precision", "sweep", "status", "reason", "precompute_stages", "mesh_compared"}
 
 

@@ -13,7 +13,7 @@ from report.methods import Form, plan
 from report.progress import Progress
 from report.scenes import Limits
 
-FORM = Form(3, Limits(methods=("linear", "derivatives"), sweeps=("basis",)))
+FORM = Form("tried", 3, Limits(methods=("linear", "derivatives"), sweeps=("basis",)))
 RUNS = len(plan(scenes.QUICK[0], FORM))
 GOOD = RUNS - 1  # one of them fails
 FOUND = SimpleNamespace(body=SimpleNamespace(facts={"cells": 7}), facts={"floor": 1e-3})

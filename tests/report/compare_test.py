@@ -30,6 +30,13 @@ class Compare(unittest.TestCase):
         self.assertEqual(compare.to_reach(rows, 0.01)["key"], "good")
         self.assertIsNone(compare.to_reach(rows, 1e-4))
 
+    def test_an_error_below_the_references_floor_is_not_told(self):
+        rows = [row(seconds=1, error_integrated=0.002, floor=0.03)]
+        self.assertIsNone(compare.to_reach(rows, 0.01))
+        self.assertEqual(compare.time_to(rows, 0.01), "below 3 % at best")
+        self.assertEqual(compare.time_to(rows, 0.03), "1 s")
+        self.assertEqual(compare.told(row(error_integrated=0.05, floor=0.03)), "5 %")
+
     def test_words_for_the_time_to_an_error(self):
         rows = [row(seconds=2, error_integrated=0.013), row(status="failed", error_integrated=0.0)]
         self.assertEqual(compare.time_to(rows, 0.02), "2 s")

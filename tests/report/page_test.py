@@ -6,7 +6,7 @@ import unittest
 from pathlib import Path
 
 from support import row
-from report import compare, errors, page, table
+from report import compare, errors, page, pictures, table
 
 SIZES = ((4, 8, 1e-3, 0.2), (4, 14, 2e-3, 0.06), (8, 20, 5e-3, 0.008))
 
@@ -52,6 +52,38 @@ class Page(unittest.TestCase):
 
     def test_the_same_tables_give_the_same_page(self):
         self.assertEqual(page.write(self.folder).read_text(), self.text)
+
+    def test_every_part_stands_under_its_heading_and_in_the_contents(self):
+        headings = re.findall(r'<h2 id="([^"]*)">', self.text)
+        self.assertEqual(headings, ["reach", "beam", "omissions", "definitions"])
+        self.assertEqual(re.findall(r'<li><a href="#([^"]*)">', self.text), headings)
+
+    def test_it_says_where_and_when_and_how_much_was_run(self):
+        quick = row(machine="a box & 2 cores", form="quick", date="2024-05-06", versions="PETSc 3", program="abc")
+        said = page.origin([quick, quick | {"date": "2024-05-08"}])
+        for words in ("the quick form", "a box & 2 cores", "2024-05-06 to 2024-05-08", "PETSc 3", "build abc"):
+            self.assertIn(words, said)
+        self.assertIn("the full form", page.origin([row(form="full")]))
+        self.assertNotIn("Measured", page.origin([row()]))  # of a table of before
+
+    def test_no_table_is_wider_than_a_window(self):
+        for head in re.findall(r"<tr>((?:<th>.*?</th>)+)</tr>", self.text):
+            self.assertLessEqual(head.count("<th>"), 12)
+
+    def test_labels_cover_neither_each_other_nor_a_point(self):
+        crowd = [row(key=f"{k}", k=float(k), r=float(r), seconds=1e-3 * (1 + 0.02 * k), error_integrated=0.1 / (1 + 0.05 * k))
+                 for k, r in zip(range(1, 30), range(10, 40))]
+        figure = pictures.work_precision(motion() + crowd)
+        figure.draw_without_rendering()
+        renderer = figure.canvas.get_renderer()
+        for axes in figure.axes:
+            boxes = [text.get_window_extent(renderer) for text in axes.texts]
+            for i, box in enumerate(boxes):
+                self.assertFalse(any(map(box.overlaps, boxes[:i])), axes.texts[i].get_text())
+        labels = [text for text in figure.axes[0].texts if text.get_text().startswith("k")]
+        self.assertGreater(len(labels), 3)
+        self.assertLess(len(labels), len(crowd))
+        pictures.plt.close(figure)
 
     def test_failures_are_listed_with_their_reason(self):
         self.assertIn("step 3 &lt;does not&gt; converge", self.text)
