@@ -11,11 +11,12 @@ build_programs ritz-reduce ritz-run ritz-full ritz-inspect
 PATH=$root/build/default/bin:$PATH
 
 out=out/fork
+say "1 of 3: a tuning fork, whose modes are computed on 2 ranks and which is then struck"
 mkdir -p "$out"
 mpirun -n 2 ritz-reduce -options_file config/fork.opts
 ritz-inspect --check "$out/model.h5"
 ritz-run "$out/model.h5" --scene config/fork.toml --output "$out/motion.h5" --every 8
-/usr/bin/python3 scripts/plot_modes.py "$out/model.h5" "$out/frequencies.csv" "$out/modes.png"
+/usr/bin/python3 scripts/plot_modes.py "$out/model.h5" "$out/modes.png"
 /usr/bin/python3 scripts/plot_probes.py "$out/probes.csv" "$out/probes.png"
 
 mkdir -p out/bar
@@ -27,17 +28,18 @@ ritz-run out/bar/model.h5 --scene config/bar.toml --output out/bar/motion.h5 --e
 reduced_beside_full() {
   local to=out/$1 options=$2 scene=$3 title=$4
   shift 4
+  say "$title"
   mkdir -p "$to/full"
   mpirun -n 2 ritz-reduce -options_file "$options"
   ritz-run "$to/model.h5" --scene "$scene" --output "$to/motion.h5" --every 1
   mpirun -n 2 ritz-full -options_file "$options" -scene "$scene" -output "$to/full/full.h5" -every 1
   /usr/bin/python3 scripts/plot_rubber.py "$to/model.h5" "$to/motion.h5" "$to/full/full.h5" "$to/motion.png" \
-    --title "$title" "$@"
+    --title "${title#*: }" "$@"
 }
 reduced_beside_full rubber config/rubber.opts config/rubber_pull.toml \
-  "A rubber cantilever, 300 x 40 x 30 mm, pulled and let go: 2400 degrees of freedom beside 20"
+  "2 of 3: A rubber cantilever, 300 x 40 x 30 mm, pulled and let go: 2400 degrees of freedom beside 20"
 reduced_beside_full twist config/rubber_twist.opts config/rubber_twist.toml \
-  "A rubber cantilever, 300 x 45 x 30 mm, twisted and let go: 2400 degrees of freedom beside 5" --twist
+  "3 of 3: A rubber cantilever, 300 x 45 x 30 mm, twisted and let go: 2400 degrees of freedom beside 5" --twist
 
 say
 say "The model:            $out/model.h5 (for ParaView: $out/model.hdf)"

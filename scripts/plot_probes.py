@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Draws the motion of a run's probes, each quantity in its unit, and the spectrum of the liveliest; prints its strongest
-tone.
+"""Draws the motion of a run's probes, each along the axis on which it moves most, each quantity in its unit, and the
+spectrum of the liveliest; prints its strongest tone.
 
     plot_probes.py probes.csv picture.png
 """
@@ -20,7 +20,8 @@ PADDING = 8  # the spectrum is drawn this many times finer than the record's own
 
 
 def read(path):
-    """Times, and signals by column name: NAME_ux of a displacement (m), NAME_vx of a velocity (m/s), NAME_ax (m/s²)."""
+    """Times, and signals by column name: NAME_ux of a displacement (m), NAME_vx of a velocity (m/s), NAME_ax (m/s²); of
+    each probe and quantity the component that varies most."""
     with open(path, newline="") as file:
         rows = csv.reader(file)
         names = next(rows, [])
@@ -29,7 +30,11 @@ def read(path):
         table = np.array([[float(word) for word in row] for row in rows])
     if table.ndim != 2 or len(table) < 8:
         raise SystemExit(f"{path}: a spectrum wants at least 8 rows")
-    return table[:, 0], dict(zip(names[1:], table.T[1:]))
+    spans = np.ptp(table, axis=0)
+    liveliest = [int(np.argmax(spans[first:first + 3])) + first for first in range(1, len(names), 3)]
+    if not max(spans[liveliest]) > 0:
+        raise SystemExit(f"{path}: nothing moves")
+    return table[:, 0], {names[i]: table[:, i] for i in liveliest}
 
 
 def spectrum(times, signal):
@@ -54,11 +59,10 @@ def liveliest(columns):
 
 
 def draw(times, columns, name, path):
-    """The axis of `name`, of every quantity."""
     frequencies, amplitudes = spectrum(times, columns[name])
     tone = strongest(frequencies, amplitudes)
-    start, end, axis = 1e3 * times[0], 1e3 * times[-1], name[-1]
-    shown = [letter for letter in QUANTITIES if any(label.endswith(letter + axis) for label in columns)]
+    start, end = 1e3 * times[0], 1e3 * times[-1]
+    shown = [letter for letter in QUANTITIES if any(label[-2] == letter for label in columns)]
     near = start + 1e3 * CLOSE_UP / tone
     if near < end:
         shown.append(name[-2])
@@ -67,7 +71,7 @@ def draw(times, columns, name, path):
     for axes, letter in zip(motions, shown):
         quantity, unit, scale = QUANTITIES[letter]
         for label, signal in columns.items():
-            if label.endswith(letter + axis):
+            if label[-2] == letter:
                 axes.plot(1e3 * times, scale * signal, linewidth=0.8, label=label)
         axes.set(xlabel="time, ms", ylabel=f"{quantity}, {unit}", xlim=(start, end))
         axes.legend(loc="upper right")
@@ -86,7 +90,7 @@ def draw(times, columns, name, path):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("probes")
     parser.add_argument("picture")
     options = parser.parse_args()

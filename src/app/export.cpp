@@ -5,8 +5,8 @@
 #include <string>
 
 #include "ritz/algebra/write_matrix.hpp"
-#include "ritz/app/in_rank_order.hpp"
-#include "ritz/files/failure.hpp"
+#include "ritz/app/full_file.cpp"
+#include "ritz/files/part_file.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/parallel/redistribute.hpp"
 

@@ -10,6 +10,7 @@
 #include "ritz/base/program.hpp"
 #include "ritz/files/part_file.hpp"
 #include "ritz/format/writer.hpp"
+#include "ritz/mesh/mesh.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/parallel/guard.hpp"
 
@@ -23,12 +24,22 @@ model::Provenance provenance(const config::Config& config, const mesh::Mesh& mes
 }
 
 /// Column by column: all at once would be several copies of U, and more numbers than one message may have.
-void write_columns(format::ModelWriter& out, MPI_Comm comm, const FileGeometry& order, const algebra::Tall& u) {
+void write_columns(format::ModelWriter& out, const mesh::Mesh& mesh, const FileGeometry& order,
+                   const Results& results) {
+  const MPI_Comm comm = mesh.comm;
+  const auto& u = results.u;
+  const double diagonal = mesh::bounding_box(mesh).size().norm();
+  std::vector<format::ShownColumn> columns;
+  for (const auto& name : format::column_names(u.cols(), results.modes.modes, results.basis.reduction)) {
+    const auto moved = by_vertex(u.col(static_cast<Eigen::Index>(columns.size())));
+    const double mine = moved.rows() > 0 ? moved.rowwise().norm().maxCoeff() : 0;
+    columns.push_back({name, format::factor_for_the_eye(parallel::max(comm, mine), diagonal)});
+  }
   const auto source = [&](format::Index column, std::span<double> values) {
     const parallel::RowMatrix rows = order.to_file(comm, by_vertex(u.col(column)));
     std::copy(rows.data(), rows.data() + rows.size(), values.begin());
   };
-  format::write_basis(out, u.cols(), parallel::even_slice(comm, order.slices.vertices.total).count,
+  format::write_basis(out, columns, parallel::even_slice(comm, order.slices.vertices.total).count,
                       order.slices.vertices, source);
 }
 
@@ -55,7 +66,7 @@ WrittenModel::WrittenModel(const config::Config& config, const stages::Problem& 
   format::write_provenance(out, provenance(config, mesh, results.modes.strategy));
   format::write_checksums(out, checksums(mesh, dofs, materials));
   format::write_geometry(out, order.geometry, order.slices);
-  write_columns(out, mesh.comm, order, results.u);
+  write_columns(out, mesh, order, results);
   if (results.modes.modes.eigenvalues.size() > 0) format::write_modes(out, results.modes.modes);
   if (results.basis.reduction) format::write_reduction(out, *results.basis.reduction);
   if (results.polynomial) format::write_polynomial(out, results.polynomial->value);

@@ -65,25 +65,27 @@ void check_chosen(const ModelReader& in, const std::string& path, const std::vec
 
 }  // namespace
 
-void write_basis(ModelWriter& out, Index columns, Index my_vertices, Slice vertices, const ColumnSource& source,
-                 std::string_view body) {
+void write_basis(ModelWriter& out, const std::vector<ShownColumn>& shown, Index my_vertices, Slice vertices,
+                 const ColumnSource& source, std::string_view body) {
   const auto group = schema::body_part(body, schema::basis);
+  const auto columns = static_cast<Index>(shown.size());
   create_group(out, schema::join(group, schema::columns));
   write_attribute(out, group, schema::column_count, columns);
   std::vector<double> values(static_cast<std::size_t>(3 * my_vertices));
   for (Index column = 0; column < columns; ++column) {
     source(column, values);
     write_rows<double>(out, column_path(group, column), units, values, vertices, 3);
-    write_point_vector(out, body, column_path(group, column), "mode_" + schema::column_name(column));
+    write_point_vector(out, body, shown[static_cast<std::size_t>(column)], values, vertices);
   }
   if (columns > 0 && vertices.total > 0) write_view(out, group, columns, vertices.total);
 }
 
-void write_basis(ModelWriter& out, const model::Basis& mine, Slice vertices, std::string_view body) {
+void write_basis(ModelWriter& out, const model::Basis& mine, const std::vector<ShownColumn>& columns, Slice vertices,
+                 std::string_view body) {
   const auto take = [&](Index column, std::span<double> values) {
     Eigen::Map<Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size())) = mine.U.col(column);
   };
-  write_basis(out, mine.U.cols(), mine.U.rows() / 3, vertices, take, body);
+  write_basis(out, columns, mine.U.rows() / 3, vertices, take, body);
 }
 
 BasisSize basis_size(const ModelReader& in, std::string_view body) {

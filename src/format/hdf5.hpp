@@ -31,6 +31,7 @@ int hdf5_error();
 template <class T>
 hid_t hdf5_type() {
   if constexpr (std::is_same_v<T, double>) return H5T_IEEE_F64LE;
+  else if constexpr (std::is_same_v<T, float>) return H5T_IEEE_F32LE;
   else if constexpr (std::is_same_v<T, std::int64_t>) return H5T_STD_I64LE;
   else if constexpr (std::is_same_v<T, std::uint64_t>) return H5T_STD_U64LE;
   else {

@@ -8,7 +8,7 @@ namespace ritz::format {
 void write_body(ModelWriter& out, const model::Body& body) {
   write_checksums(out, body.checksums, body.name);
   write_geometry(out, body.geometry, whole(body.geometry), body.name);
-  write_basis(out, body.basis, {0, body.basis.U.rows() / 3}, body.name);
+  write_basis(out, body.basis, shown_columns(body), {0, body.basis.U.rows() / 3}, body.name);
   if (body.modes) write_modes(out, *body.modes, body.name);
   if (body.reduction) write_reduction(out, *body.reduction, body.name);
   if (body.polynomial) write_polynomial(out, *body.polynomial, body.name);

@@ -172,13 +172,13 @@ void say_replaced(const std::string& files, std::ostream& out) {
 }
 
 /// ψ sin ωt over one period of `frequency` Hz at `states` times, from 0; the period's end is its beginning and not
-/// repeated. The largest displacement is a tenth of the diagonal of the body's bounding box.
+/// repeated.
 void swing_mode(const model::Body& body, double frequency, std::int64_t states, Recorder& recorder) {
   const auto& points = body.geometry.points;
   const double diagonal = (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
   const Eigen::Map<const model::Points> shape(body.basis.U.data(), points.rows(), 3);
   const double largest = shape.rowwise().norm().maxCoeff();
-  const double amplitude = largest > 0 ? 0.1 * diagonal / largest : 1;
+  const double amplitude = format::factor_for_the_eye(largest, diagonal);
   for (std::int64_t k = 0; k < states; ++k) {
     const double turn = static_cast<double>(k) / static_cast<double>(states), omega = 2 * M_PI * frequency;
     recorder.record(0, {.t = turn / frequency,

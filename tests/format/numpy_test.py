@@ -50,12 +50,15 @@ with tempfile.TemporaryDirectory() as folder:
     path = os.path.join(folder, "model.h5")
     programs.run(BIN / "write_sample_model", path)
     with h5py.File(path) as file:
-        assert file.attrs["format"] == b"ritz-model" and list(file.attrs["version"]) == [1, 3]
+        assert file.attrs["format"] == b"ritz-model" and list(file.attrs["version"]) == [1, 4]
         file.visititems(check)
         basis = file["bodies/body/basis"]
         columns = [basis["columns"][name][...].ravel() for name in sorted(basis["columns"])]
         assert np.array_equal(basis["U"][...], np.column_stack(columns)) and abs(basis["U"][2, 0] - 0.5**0.5) < 1e-15
-        assert file["VTKHDF/PointData/mode_0002"] == basis["columns/0002"]
+        for name, column in zip(file["VTKHDF/PointData"], columns, strict=True):
+            seen = file["VTKHDF/PointData"][name]
+            assert np.array_equal(seen[...].ravel(), (seen.attrs["factor"] * column).astype("f4")), name
+            assert np.isclose(np.linalg.norm(seen[...], axis=1).max(), 0.1 * 3**0.5), name  # of a unit box's diagonal
         assert file["VTKHDF/Points"] == file["bodies/body/geometry/points"]
         assert file["provenance"].attrs["mesh_checksum"] == b"0123456789abcdef" and "VTKHDF" not in file["bodies/body"]
         assert dict(file["provenance/options"][...].tolist())[b"-modes"] == b"2"

@@ -137,7 +137,7 @@ TEST_P(ParallelWrite, GivesTheDatasetsOfOneRank) {
       const auto mine = my_part(body);
       write_checksums(out, body.checksums, body.name);
       write_geometry(out, mine.geometry, mine.slices, body.name);
-      write_basis(out, mine.basis, mine.slices.vertices, body.name);
+      write_basis(out, mine.basis, shown_columns(body), mine.slices.vertices, body.name);
       write_modes(out, *body.modes, body.name);
       auto report = body.report;
       if (!access().writes_small) report.notes = {"nor its number of notes"};
@@ -166,7 +166,7 @@ TEST_P(ParallelWrite, FailsOnAllRanksTogether) {
     ModelWriter out(together_, access());
     const Slice beyond{rank() == 0 ? 5 : 0, 2};  // rank 0's rows do not fit
     model::Basis basis{model::RowMatrix::Zero(rank() == 0 ? 3 : 0, 1)};
-    EXPECT_THROW(write_basis(out, basis, beyond), std::logic_error);
+    EXPECT_THROW(write_basis(out, basis, {{"column 1", 1}}, beyond), std::logic_error);
   }
   MPI_Barrier(MPI_COMM_WORLD);
   EXPECT_FALSE(std::filesystem::exists(together_));

@@ -49,12 +49,30 @@ model::Geometry read_geometry(const ModelReader& in, std::string_view body = sch
 /// vertex together.
 using ColumnSource = std::function<void(Index column, std::span<double> values)>;
 
-/// Writes the `columns` columns of U one by one; this rank holds the rows of `my_vertices` vertices. Call it after
-/// write_geometry, so that ParaView shows each column as a point vector.
-void write_basis(ModelWriter& out, Index columns, Index my_vertices, Slice vertices, const ColumnSource& source,
-                 std::string_view body = schema::default_body);
+/// How ParaView shows a column of U: as an array of displacements, m, which are the column times `factor`, m √kg.
+struct ShownColumn {
+  std::string name;
+  double factor = 1;
+};
+
+/// What columns are called: "mode 07, 440.0 Hz" or "mode 01, rigid" where U is the modes, counted from 1 with the rigid
+/// ones, so that --animate-mode takes the same number; of another basis "column 07, 440.0 Hz", by the frequency at
+/// which the body would swing in that column alone.
+std::vector<std::string> column_names(Index columns, const std::optional<model::Modes>& modes,
+                                      const std::optional<model::Reduction>& reduction);
+/// The factor by which a shape is seen: its largest displacement, `largest` before, becomes a tenth of the diagonal of
+/// the body's bounding box. 1 for a shape that does not move.
+double factor_for_the_eye(double largest, double diagonal);
+/// How the columns of a whole body are shown.
+std::vector<ShownColumn> shown_columns(const model::Body& body);
+
+/// Writes the columns of U one by one, as many as are shown; this rank holds the rows of `my_vertices` vertices. Call
+/// it after write_geometry: where that has written a grid for ParaView, it gets a point vector a column, in single
+/// precision.
+void write_basis(ModelWriter& out, const std::vector<ShownColumn>& columns, Index my_vertices, Slice vertices,
+                 const ColumnSource& source, std::string_view body = schema::default_body);
 /// The same from the rows of U of this rank, 3 (vertices of this rank) x r.
-void write_basis(ModelWriter& out, const model::Basis& mine, Slice vertices,
+void write_basis(ModelWriter& out, const model::Basis& mine, const std::vector<ShownColumn>& columns, Slice vertices,
                  std::string_view body = schema::default_body);
 
 /// Which part of U to read, 0-based and in any order; absent: all of it. The file is read from the smallest to the
