@@ -60,7 +60,7 @@ int run_program(int argc, char** argv, config::Program program,
   const int code = guarded(session.comm(), name, [&] {
     const auto line = config::read_command_line(session.comm(), argc, argv);
     if (line.asked == config::Asked::help) {
-      if (parallel::rank(session.comm()) == 0) std::fputs(config::help_text(name).c_str(), stdout);
+      if (parallel::rank(session.comm()) == 0) std::fputs(config::help_text(program).c_str(), stdout);
       return;
     }
     if (line.asked == config::Asked::version) {

@@ -43,16 +43,25 @@ std::vector<Option> read_file(MPI_Comm comm, const std::filesystem::path& file) 
   return parse(text, file);
 }
 
+[[noreturn]] void refuse_word(const std::string& word, const std::string& before) {
+  if (before.find(' ') == before.npos)
+    throw InputError("'" + word + "' is not an option; options begin with a dash, such as -mesh " + word);
+  throw InputError("'" + word + "' stands after " + before +
+                   ", and an option has one value: write several with commas, " + before + "," + word +
+                   ", and one with a blank in quotes");
+}
+
 }  // namespace
 
 CommandLine read_command_line(MPI_Comm comm, int argc, char** argv) {
   CommandLine line;
+  std::string last;  // option with its value
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
-    if (!is_option(word))
-      throw InputError("'" + word + "' is not an option; options begin with a dash, such as -mesh " + word);
+    if (!is_option(word)) refuse_word(word, last);
     const bool has_value = i + 1 < argc && !is_option(argv[i + 1]);
     const std::string value = has_value ? argv[++i] : "";
+    last = has_value ? word + " " + value : word;
     if (word == "-help" || word == "--help" || word == "-h") line.asked = Asked::help;
     else if (word == "-version" || word == "--version") line.asked = Asked::version;
     else if (word != "-options_file") line.given.put({word.substr(1), value});

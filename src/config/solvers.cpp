@@ -20,20 +20,24 @@ const std::vector<std::string> no_formats;  ///< of monitors: PETSc crashes over
 const std::vector<std::string> log_formats = {"default",   "ascii_info", "ascii_info_detail",
                                               "ascii_csv", "ascii_xml",  "ascii_flamegraph"};
 
+bool is_own(const std::string& name) {
+  const auto names = option_names();
+  return std::ranges::find(names, small_letters(name)) != names.end();
+}
+
 [[noreturn]] void refuse_unknown(const std::string& name) {
   if (name.size() > longest_name)
     throw InputError("there is no option -" + printable(name.substr(0, longest_name)) + "... (-help lists them all)");
-  std::vector<std::string> names;
-  for (const auto& entry : option_table()) names.emplace_back(entry.name);
-  names.insert(names.end(), solver_option_names().begin(), solver_option_names().end());
-  const auto words = name.substr(std::min(name.find_first_not_of('-'), name.size()));  // of --mesh, too
-  const auto meant = meant_by(words, names);
-  throw InputError("there is no option -" + printable(name) + (meant.empty() ? "" : "; did you mean -" + meant + "?") +
-                   " (-help lists them all)");
-}
-
-bool is_own(const std::string& name) {
-  return std::ranges::any_of(option_table(), [&](const auto& entry) { return entry.name == small_letters(name); });
+  const auto dashed = [](const std::string& known) { return "-" + known; };
+  const auto word = name.substr(std::min(name.find_first_not_of('-'), name.size()));  // of --mesh, too
+  const auto equals = word.find('=');
+  if (equals != word.npos && is_own(word.substr(0, equals)))
+    throw InputError("there is no option -" + printable(name) + ": write -" + printable(word.substr(0, equals)) + " " +
+                     printable(word.substr(equals + 1)) + ", with a blank");
+  const bool of_solver = is_misspelt(word, nearest(word, solver_option_names()));
+  auto guessed = of_solver ? "" : guess(word, option_names(), dashed);
+  if (guessed.empty() && word.find('_') != word.npos) guessed = guess(word, solver_option_names(), dashed);
+  throw InputError("there is no option -" + printable(name) + guessed + " (-help lists them all)");
 }
 
 /// Settings that solvers read only when they have levels or blocks, which a tiny matrix has not.

@@ -15,9 +15,10 @@ void refuse_extras(const CLI::App& app) {
     if (extra.empty() || extra[0] != '-') throw InputError("unexpected argument '" + extra + "'; see --help");
     std::vector<std::string> known;
     for (const auto* option : app.get_options())
-      for (const auto& name : option->get_lnames()) known.push_back("--" + name);
-    throw InputError("unknown option '" + extra + "'" +
-                     (meant_by(extra, known).empty() ? "; see --help" : guess(extra, known)));
+      known.insert(known.end(), option->get_lnames().begin(), option->get_lnames().end());
+    const auto word = extra.substr(std::min(extra.find_first_not_of('-'), extra.size()));
+    const auto guessed = guess(word, known, [](const std::string& name) { return "'--" + name + "'"; });
+    throw InputError("unknown option '" + extra + "'" + (guessed.empty() ? "; see --help" : guessed));
   }
 }
 

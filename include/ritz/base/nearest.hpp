@@ -48,39 +48,58 @@ std::string nearest(std::string_view word, const Range& candidates) {
   return best;
 }
 
-/// What a user may have meant by `word`: the candidate that a few slips of the pen turn into it, else the shortest one
-/// that contains it ("young": "material_young"); empty if there is none.
-template <class Range>
-std::string meant_by(std::string_view word, const Range& candidates) {
-  const std::string near = nearest(word, candidates);
-  if (!near.empty() && 2 * edit_distance(word, near) < std::max(word.size(), near.size())) return near;
-  std::string shortest;
-  for (const auto& candidate : candidates) {
-    const std::string_view name(candidate);
-    if (word.size() < 4 || name.find(word) == name.npos) continue;
-    if (shortest.empty() || name.size() < shortest.size()) shortest = name;
-  }
-  return shortest;
+/// Whether `word` is `name` but for slips of the pen, which are few, and leave the first letter or swap it with the
+/// next.
+inline bool is_misspelt(std::string_view word, std::string_view name) {
+  if (word.empty() || name.empty() || 3 * edit_distance(word, name) > std::min(word.size(), name.size())) return false;
+  const auto same = [](char x, char y) { return edit_distance({&x, 1}, {&y, 1}) == 0; };
+  return same(word[0], name[0]) || (word.size() > 1 && same(word[1], name[0]));
 }
 
-/// "; did you mean 'tip'?" where something may have been meant, else nothing: for messages that list the words
-/// themselves.
+/// Whether one begins with the other, or ends with it, in a part long enough to mean something.
+inline bool is_part(std::string_view word, std::string_view name) {
+  return (word.size() > 3 && (name.starts_with(word) || name.ends_with(word))) ||
+         (name.size() > 2 && word.starts_with(name)) || (name.size() > 3 && word.ends_with(name));
+}
+
+/// What a user may have meant by `word`: the candidate that a few slips of the pen turn into it, else those that begin
+/// or end with it ("young": "material_young"), or it with them; nothing where none is alike, or more than four are.
+template <class Range>
+std::vector<std::string> meant_by(std::string_view word, const Range& candidates) {
+  constexpr std::size_t most = 4;
+  if (const std::string near = nearest(word, candidates); is_misspelt(word, near)) return {near};
+  std::vector<std::string> parts;
+  for (const auto& candidate : candidates)
+    if (is_part(word, std::string_view(candidate)) &&
+        std::find(parts.begin(), parts.end(), std::string(candidate)) == parts.end())
+      parts.emplace_back(candidate);
+  return parts.size() > most ? std::vector<std::string>() : parts;
+}
+
+/// "; did you mean 'tip' or 'top'?" where something may have been meant, else nothing. `written` is how a name is put
+/// into the message.
+template <class Range, class Written>
+std::string guess(std::string_view word, const Range& candidates, const Written& written) {
+  const auto meant = meant_by(word, candidates);
+  std::string list;
+  for (std::size_t i = 0; i < meant.size(); ++i)
+    list += (i == 0 ? "" : i + 1 < meant.size() ? ", " : " or ") + written(meant[i]);
+  return list.empty() ? "" : "; did you mean " + list + "?";
+}
+
 template <class Range>
 std::string guess(std::string_view word, const Range& candidates) {
-  const std::string meant = meant_by(word, candidates);
-  return meant.empty() ? "" : "; did you mean '" + meant + "'?";
+  return guess(word, candidates, [](const std::string& name) { return "'" + name + "'"; });
 }
 
 /// How a message on an unknown word ends: "; did you mean 'tip'? There are 'tip' and 'root'". Nothing is guessed where
-/// nothing is alike, and of more than twelve candidates only those are listed that fit in a sentence. `written` is how
-/// a name is put into the message.
+/// nothing is alike, and of more than twelve candidates only those are listed that fit in a sentence.
 template <class Range, class Written>
 std::string hint(std::string_view word, const Range& candidates, const Written& written) {
   constexpr std::size_t most = 12;
-  const std::string meant = meant_by(word, candidates);
   std::vector<std::string> names;
   for (const auto& candidate : candidates) names.emplace_back(candidate);
-  const std::string guessed = meant.empty() ? "" : "; did you mean " + written(meant) + "?";
+  const std::string guessed = guess(word, candidates, written);
   if (!guessed.empty() && (names.size() < 2 || names.size() > most)) return guessed;
   std::string list;
   for (std::size_t i = 0; i < std::min(names.size(), most); ++i)
