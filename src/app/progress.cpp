@@ -8,6 +8,9 @@
 #include <cstdlib>
 #include <ctime>
 #include <exception>
+#include <fstream>
+#include <iterator>
+#include <sstream>
 
 #include "ritz/base/printable.hpp"
 #include "ritz/base/shown.hpp"
@@ -32,11 +35,33 @@ bool is_terminal(const char* path) {
   return terminal;
 }
 
-/// mpirun gives every rank a terminal of its own, so what counts under it is where mpirun itself writes to.
+constexpr const char* mark_of_rank = "OMPI_COMM_WORLD_SIZE";  ///< in the environment of all that mpirun starts
+
+/// What stands in a file of /proc; nothing if it cannot be read.
+std::string process_file(pid_t process, const char* name) {
+  std::ifstream in("/proc/" + std::to_string(process) + '/' + name, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// 0 if it is not known.
+pid_t parent_of(pid_t process) {
+  const auto stat = process_file(process, "stat");  // "7 (name) S 6 ...", whose name may hold anything
+  std::istringstream rest(stat.substr(std::min(stat.size(), stat.rfind(')') + 1)));
+  std::string state;
+  pid_t parent = 0;
+  rest >> state >> parent;
+  return parent;
+}
+
+/// mpirun gives every rank a terminal of its own, so what counts under it is where mpirun itself writes to. Between the
+/// two there may be others, such as a shell.
 bool writes_to_terminal() {
   if (!isatty(STDOUT_FILENO)) return false;
-  if (!std::getenv("OMPI_COMM_WORLD_SIZE")) return true;
-  return is_terminal(("/proc/" + std::to_string(getppid()) + "/fd/1").c_str());
+  if (!std::getenv(mark_of_rank)) return true;
+  pid_t process = getppid();
+  while (process > 1 && process_file(process, "environ").find(mark_of_rank) != std::string::npos)
+    process = parent_of(process);
+  return is_terminal(("/proc/" + std::to_string(process) + "/fd/1").c_str());
 }
 
 double since(std::chrono::steady_clock::time_point start) {

@@ -163,6 +163,12 @@ class Voice(InAFolder):
         self.assertFalse(any("\r" in line or "\033" in line for line in lines))
         self.assertTrue(any(line.startswith("certified: ") for line in lines))
 
+    def test_lines_where_a_shell_starts_each_rank(self):
+        """Which has the terminal that mpirun gives it, though nobody looks at it."""
+        out = self.reduce(*CLAMPED, under=("sh", "-c", '"$@"; exit $?', "sh")).out
+        self.assertRegex(out, r"(?m)^\d{4}-\d\d-\d\d .*  modes ")
+        self.assertNotIn("\033", out)
+
     def on_a_terminal(self, *words):
         """What ritz-reduce writes to one, whose ends of line are \\r\\n."""
         ours, theirs = pty.openpty()
