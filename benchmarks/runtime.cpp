@@ -152,6 +152,27 @@ void reconstruction(benchmark::State& state) {
 }
 BENCHMARK(reconstruction)->Arg(10)->Arg(20)->Arg(30)->Arg(40)->Arg(60);
 
+/// The same from a copy, against reading the U in double precision.
+template <class Scalar>
+void reconstruction_from_copy(benchmark::State& state) {
+  const Eigen::Index r = state.range(0), n = 50'000;
+  const model::Basis basis{model::RowMatrix::Random(3 * n, r)};
+  const auto copy = make_reconstruction<Scalar>(basis);
+  const Eigen::VectorXd z = Eigen::VectorXd::LinSpaced(r, -1, 1);
+  Displacements<Scalar> u(n, 3);
+  const int numbers = static_cast<int>(basis.U.size()), next = 1;
+  Fastest ours, reading;
+  for (auto _ : state) {
+    ours.turn(1, [&] { reconstruct<Scalar>(copy, z, u); });
+    reading.turn(1, [&] { benchmark::DoNotOptimize(dasum_(&numbers, basis.U.data(), &next)); });
+  }
+  state.counters["us"] = ours.microseconds;
+  state.counters["reading_us"] = reading.microseconds;
+  state.counters["ratio"] = ours.microseconds / reading.microseconds;
+}
+BENCHMARK(reconstruction_from_copy<float>)->Arg(10)->Arg(20)->Arg(30)->Arg(40)->Arg(60);
+BENCHMARK(reconstruction_from_copy<double>)->Arg(10)->Arg(20)->Arg(30)->Arg(40)->Arg(60);
+
 }  // namespace
 }  // namespace ritz::runtime
 

@@ -86,6 +86,11 @@ TEST(Allocation, NoneInReconstruction) {
   const auto before = allocations();
   reconstruct(basis, state.z(), u);
   EXPECT_EQ(allocations(), before);
+  const auto copy = make_reconstruction<float>(basis);
+  Displacements<float> drawn(50, 3);
+  const auto copied = allocations();
+  reconstruct<float>(copy, state.z(), drawn);
+  EXPECT_EQ(allocations(), copied);
   EXPECT_GT(u.norm(), 0);
 }
 
