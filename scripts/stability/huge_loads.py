@@ -42,7 +42,7 @@ def linear(bench, length):
     figures = []
     for force in (-3e9, -1e150, -1e308):
         scene = bench.write("huge.toml", MOVING.format(force=force, integrator="exact"))
-        words = ["model.h5", "--scene", scene, "--quiet"]
+        words = ["model.h5", "--scene", scene, "--double-frames", "--quiet"]
         figures.append(finite_or_failed(bench, f"{-force:.0e} N", "ritz-run", words, "motion.h5", "displacement"))
     return figures
 

@@ -43,11 +43,15 @@ void MotionFile::show_frames(const StillBody& body, std::span<const double> fram
   write_integers(file(), names::vertex_ids, body.vertex_ids);
   write_numbers(file(), names::frame_times, frame_times, time_units);
   const hsize_t n = length(body.vertices), count = frame_times.size();
-  for (hsize_t i = 0; i < count; ++i) show(file(), frame_name(i), {n, 3}, {name, frames.shape(), i, 1});
-  if (name != names::displacement) show(file(), names::displacement, {count, n, 3}, {name, frames.shape(), 0, count});
+  for (hsize_t i = 0; i < count; ++i)
+    show(file(), frame_name(i), {n, 3}, {name, frames.shape(), i, 1, frames.stored()});
+  if (name != names::displacement)
+    show(file(), names::displacement, {count, n, 3}, {name, frames.shape(), 0, count, frames.stored()});
 
-  const XdmfSize size{
-      .vertices = body.vertices, .cells = body.cells, .topology = static_cast<std::int64_t>(body.topology.size())};
+  const XdmfSize size{.vertices = body.vertices,
+                      .cells = body.cells,
+                      .topology = static_cast<std::int64_t>(body.topology.size()),
+                      .frame_bytes = frames.stored() == Stored::float32 ? 4 : 8};
   xdmf_.emplace(xdmf_path(part_.path(), part_.path().string()));
   xdmf_->write(xdmf_text(part_.path().filename().string(), size, frame_times));
 }
@@ -75,7 +79,8 @@ ReducedMotion::ReducedMotion(const std::filesystem::path& path, const model::Geo
   NumberStream points(file_.file(), names::points, {n, 3}, "m");
   points.append({geometry.points.data(), static_cast<std::size_t>(geometry.points.size())});
   points.close();
-  displacement_ = NumberStream(file_.file(), names::displacement, {plan.frame_times.size(), n, 3}, "m");
+  displacement_ =
+      NumberStream(file_.file(), names::displacement, {plan.frame_times.size(), n, 3}, "m", Checked::no, plan.frames);
   const auto topology = mixed_topology(geometry.cells);
   const StillBody body{.vertices = geometry.points.rows(),
                        .cells = std::ssize(geometry.cells.vtk_types),

@@ -38,6 +38,8 @@ void attach_text(hid_t object, const char* name, std::string_view text) {
   attach(object, name, type.get(), text.data());
 }
 
+hid_t type_of(Stored stored) { return stored == Stored::float32 ? H5T_IEEE_F32LE : H5T_IEEE_F64LE; }
+
 Dataset create(hid_t file, const std::string& name, hid_t type, const Extent& shape, const std::string& units) {
   const Space space = simple(shape);
   const Properties unfilled(H5Pcreate(H5P_DATASET_CREATE));
@@ -69,13 +71,17 @@ void show(hid_t file, const std::string& name, const Extent& shape, const Rows& 
                   H5Pset_virtual(view.get(), shown.get(), ".", rows.source.c_str(), all.get()) >= 0 &&
                   H5Pset_create_intermediate_group(parents.get(), 1) >= 0);
   const Dataset dataset(
-      H5Dcreate2(file, name.c_str(), H5T_IEEE_F64LE, shown.get(), parents.get(), view.get(), H5P_DEFAULT));
+      H5Dcreate2(file, name.c_str(), type_of(rows.stored), shown.get(), parents.get(), view.get(), H5P_DEFAULT));
   require_written(static_cast<bool>(dataset));
   attach_text(dataset.get(), schema::units, "m");
 }
 
-NumberStream::NumberStream(hid_t file, const std::string& name, Extent shape, const std::string& units, Checked checked)
-    : dataset_(create(file, name, H5T_IEEE_F64LE, shape, units)), shape_(std::move(shape)), checked_(checked) {}
+NumberStream::NumberStream(hid_t file, const std::string& name, Extent shape, const std::string& units, Checked checked,
+                           Stored stored)
+    : dataset_(create(file, name, type_of(stored), shape, units)),
+      shape_(std::move(shape)),
+      checked_(checked),
+      stored_(stored) {}
 
 void NumberStream::append(std::span<const double> piece) {
   constexpr std::size_t most = 4096;

@@ -29,7 +29,11 @@ struct Rows {
   std::string source;
   Extent all;
   hsize_t first, count;
+  Stored stored;
 };
+
+/// The type of a dataset's numbers.
+hid_t type_of(Stored stored);
 
 /// Creates a virtual dataset of dimensions `shape` that shows these rows of another dataset, without a copy; units "m".
 void show(hid_t file, const std::string& name, const Extent& shape, const Rows& rows);

@@ -46,7 +46,9 @@ std::string frame_name(std::size_t frame) { return schema::join(schema::motion::
 
 std::string xdmf_text(const std::string& file, const XdmfSize& size, std::span<const double> times) {
   const std::string source = escaped(file) + ":/";
-  const std::string numbers = " NumberType=\"Float\" Precision=\"8\" Format=\"HDF\">" + source;
+  const auto numbers = [&](int bytes) {
+    return " NumberType=\"Float\" Precision=\"" + std::to_string(bytes) + "\" Format=\"HDF\">" + source;
+  };
   std::ostringstream out;
   out << std::setprecision(17) << "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n<Domain>\n"
       << "<Grid Name=\"motion\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
@@ -55,11 +57,11 @@ std::string xdmf_text(const std::string& file, const XdmfSize& size, std::span<c
         << "<Topology TopologyType=\"Mixed\" NumberOfElements=\"" << size.cells << "\"><DataItem Dimensions=\""
         << size.topology << "\" NumberType=\"Int\" Precision=\"8\" Format=\"HDF\">" << source
         << "cells</DataItem></Topology>\n"
-        << "<Geometry GeometryType=\"XYZ\"><DataItem Dimensions=\"" << size.vertices << " 3\"" << numbers
+        << "<Geometry GeometryType=\"XYZ\"><DataItem Dimensions=\"" << size.vertices << " 3\"" << numbers(8)
         << "points</DataItem></Geometry>\n"
         << "<Attribute Name=\"displacement\" AttributeType=\"Vector\" Center=\"Node\">"
-        << "<DataItem Dimensions=\"" << size.vertices << " 3\"" << numbers << frame_name(frame).substr(1)
-        << "</DataItem></Attribute>\n</Grid>\n";
+        << "<DataItem Dimensions=\"" << size.vertices << " 3\"" << numbers(size.frame_bytes)
+        << frame_name(frame).substr(1) << "</DataItem></Attribute>\n</Grid>\n";
   }
   out << "</Grid>\n</Domain>\n</Xdmf>\n";
   return out.str();

@@ -105,7 +105,8 @@ void refuse_beyond_room(const RunOptions& options, const std::vector<RunBody>& b
   scene::Recording recording{.steps = steps, .frames = frames, .bytes_a_step = 0, .bytes_a_frame = 0};
   for (const auto& body : bodies) {
     recording.bytes_a_step += 8.0 * static_cast<double>(1 + 2 * world::reduced_size(*body.model));
-    recording.bytes_a_frame += 8.0 * static_cast<double>(body.model->geometry.points.size());
+    recording.bytes_a_frame += (options.frame_numbers == format::Stored::float32 ? 4.0 : 8.0) *
+                               static_cast<double>(body.model->geometry.points.size());
   }
   scene::refuse_beyond_room(recording, options.output, std::numeric_limits<double>::infinity());
 }
@@ -115,7 +116,9 @@ void prepare(Recorder& recorder, const RunOptions& options, const scene::Scene& 
              const std::vector<RunBody>& bodies, const Steps& steps, const std::vector<std::int64_t>& frame_states) {
   std::vector<ProbedBody> probed;
   for (const auto& body : bodies) {
-    recorder.add(output_of(options, body), *body.model, plan_scene(body, steps, frame_states));
+    auto plan = plan_scene(body, steps, frame_states);
+    plan.frames = options.frame_numbers;
+    recorder.add(output_of(options, body), *body.model, plan);
     if (scene.probes.empty()) continue;
     world::naming(body.name, [&] { probed.push_back({body.name, world::probe_matrix(body.scene, *body.model)}); });
   }
@@ -214,7 +217,8 @@ void animate(const RunOptions& options, std::ostream& out) {
   const std::int64_t states = options.frames.value_or(40);
   if (states < 1) throw InputError("--animate-mode needs at least one frame: --frames 0 leaves nothing to see");
 
-  MotionPlan plan{.states = states, .columns = 1, .frame_times = {}, .time_units = "s"};
+  MotionPlan plan{
+      .states = states, .columns = 1, .frame_times = {}, .time_units = "s", .frames = options.frame_numbers};
   std::vector<std::int64_t> frame_states(static_cast<std::size_t>(states));
   std::iota(frame_states.begin(), frame_states.end(), 0);
   for (const auto k : frame_states)

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "ritz/base/program.hpp"
+#include "ritz/format/motion.hpp"
 #include "ritz/world/run.hpp"
 
 namespace ritz::tools {
@@ -25,6 +26,7 @@ struct RunOptions {
   std::optional<std::int64_t> animate_mode;  ///< from 1, all modes counted, rigid ones too
   std::optional<std::int64_t> frames;        ///< how many displacement frames, evenly spread
   std::optional<std::int64_t> every;         ///< a frame every so many steps
+  format::Stored frame_numbers = format::Stored::float32;
   world::Precision precision = world::Precision::float64;  ///< of the nonlinear runtime
   Forces forces = Forces::stored;
   Voice voice = Voice::normal;

@@ -52,6 +52,9 @@ void declare(CLI::App& app, RunOptions& options) {
       ->type_name("N")
       ->check(at_least(0));
   app.add_option("--every", options.every, "Write a frame every N steps")->type_name("N")->check(at_least(1));
+  app.add_flag_callback(
+      "--double-frames", [&] { options.frame_numbers = format::Stored::float64; },
+      "Write the frames in double precision (default: single;\ncoordinates and probes are always double)");
   app.add_option("--timing", options.timing, "Write what each step cost, without recording, as a table")
       ->type_name("FILE.csv");
   app.add_option("--summary", options.summary, "Write what is printed, as numbers: docs/summary.md")

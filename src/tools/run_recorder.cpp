@@ -1,12 +1,25 @@
 #include "run_recorder.hpp"
 
 #include <cerrno>
+#include <limits>
 #include <utility>
 
+#include "ritz/base/error.hpp"
+#include "ritz/base/shown.hpp"
 #include "ritz/files/interruption.hpp"
 #include "ritz/runtime/reconstruction.hpp"
 
 namespace ritz::tools {
+namespace {
+
+void refuse_beyond_single(const model::Points& displacement, double t) {
+  const double largest = displacement.size() > 0 ? displacement.cwiseAbs().maxCoeff() : 0;
+  if (largest > static_cast<double>(std::numeric_limits<float>::max()))
+    throw NumericalError("the frame at t = " + shown(t) + " has a displacement of " + shown(largest) +
+                         " m, which single precision cannot hold: say --double-frames");
+}
+
+}  // namespace
 
 TableFile::TableFile(const std::filesystem::path& path) : file_(path), out_(file_.part(), std::ios::binary) {
   out_.precision(15);
@@ -73,6 +86,7 @@ void TimingWriter::row(const world::StepCost& step) {
 void Recorder::add(const std::filesystem::path& output, const model::Body& body, const MotionPlan& plan) {
   motions_.push_back({.body = body,
                       .file = format::ReducedMotion(output, body.geometry, plan),
+                      .frames = plan.frames,
                       .z = {},
                       .displacement = model::Points(body.geometry.points.rows(), 3)});
 }
@@ -96,6 +110,7 @@ void Recorder::record(std::size_t body, const world::Moment& now) {
   const auto state = motion.state++;
   if (motion.next_frame == frame_states_.size() || frame_states_[motion.next_frame] != state) return;
   runtime::reconstruct(motion.body.basis, now.z, motion.displacement);
+  if (motion.frames == format::Stored::float32) refuse_beyond_single(motion.displacement, now.t);
   motion.file.frame(motion.displacement);
   ++motion.next_frame;
 }

@@ -122,6 +122,7 @@ class Recorder {
   struct Motion {
     const model::Body& body;
     format::ReducedMotion file;
+    format::Stored frames;
     std::size_t next_frame = 0;
     std::int64_t state = 0;
     Eigen::VectorXd z;  ///< the latest state

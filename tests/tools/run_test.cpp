@@ -12,6 +12,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::ThrowsMessage;
 
 TEST(Run, AStepLoadOnTheTip) {
   const test::RunFolder folder;
@@ -29,6 +30,7 @@ set = "tip"
 name = "right"
 vertex = 20
 )");
+  options.frame_numbers = format::Stored::float64;
   const std::string said = test::run(options);
   EXPECT_THAT(said, HasSubstr("50 steps of 2 coordinates"));
   EXPECT_THAT(said, HasSubstr("51 frames"));
@@ -90,6 +92,31 @@ TEST(Run, FramesCanBeFewOrNone) {
   EXPECT_THAT(folder.outputs(), ElementsAre("motion.h5", "motion.xdmf"));
 }
 
+TEST(Run, FramesAreInSinglePrecisionUnlessAskedForInDouble) {
+  const test::RunFolder folder;
+  const std::string scene = "[time]\nstep = 0.1\nend = 2\n[[load]]\nset = 'tip'\ntotal = [0, 0, 18]\n";
+  auto options = folder.prepare(scene);
+  options.frame_numbers = format::Stored::float64;
+  test::run(options);
+  const auto wide = test::read_numbers(folder / "motion.h5", "/displacement").values;
+  options.frame_numbers = RunOptions{}.frame_numbers;
+  test::run(options);
+  for (const auto* name : {"/displacement", "/frames/3"}) {
+    const format::File file(H5Fopen((folder / "motion.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
+    const format::Dataset dataset(H5Dopen2(file.get(), name, H5P_DEFAULT));
+    const format::Type type(H5Dget_type(dataset.get()));
+    EXPECT_GT(H5Tequal(type.get(), H5T_IEEE_F32LE), 0) << name;
+  }
+  const auto narrow = test::read_numbers(folder / "motion.h5", "/displacement").values;
+  ASSERT_EQ(narrow.size(), wide.size());
+  for (std::size_t i = 0; i < wide.size(); ++i) EXPECT_EQ(narrow[i], double(float(wide[i]))) << i;
+
+  options = folder.prepare("[time]\nstep = 0.1\nend = 2\n[[load]]\nset = 'tip'\ntotal = [0, 0, 1e45]\n");
+  EXPECT_THAT([&] { test::run(options); }, ThrowsMessage<NumericalError>(HasSubstr("say --double-frames")));
+  options.frame_numbers = format::Stored::float64;
+  test::run(options);
+}
+
 TEST(Run, WithoutFramesNeedsNoBasis) {
   const test::RunFolder folder;
   auto options = folder.prepare("[time]\nstep = 1\nend = 1\n[[probe]]\nname = 'p'\nset = 'tip'\n");
@@ -128,6 +155,7 @@ TEST(Run, SwingsAMode) {
   auto options = folder.prepare("");
   options.scene.clear();
   options.animate_mode = 2;
+  options.frame_numbers = format::Stored::float64;
   test::run(options);
   const auto u = test::read_numbers(folder / "motion.h5", "/displacement");
   const auto t = test::read_numbers(folder / "motion.h5", "/frame_times").values;

@@ -24,7 +24,10 @@ std::filesystem::path xdmf_path(std::filesystem::path path, const std::string& n
 /// numbers of a first index, of which pieces then hold whole ones.
 enum class Checked : std::uint8_t { no, by_vertex, by_row };
 
-/// A dataset of 64-bit floats that is written in order, piece by piece.
+/// The floating point numbers of a dataset. Numbers that single precision cannot hold become infinite.
+enum class Stored : std::uint8_t { float64, float32 };
+
+/// A dataset of floats that is written in order, piece by piece.
 class NumberStream {
  public:
   using Extent = std::vector<hsize_t>;
@@ -33,10 +36,11 @@ class NumberStream {
   /// Creates the dataset with the attribute "units". Pieces may end within a row (all numbers of one first index) only
   /// if the dataset has at most two dimensions.
   NumberStream(hid_t file, const std::string& name, Extent shape, const std::string& units,
-               Checked checked = Checked::no);
+               Checked checked = Checked::no, Stored stored = Stored::float64);
 
   explicit operator bool() const { return static_cast<bool>(dataset_); }
   const Extent& shape() const { return shape_; }
+  Stored stored() const { return stored_; }
   /// Appends the numbers that follow.
   void append(std::span<const double> piece);
   /// Writes what is pending and the checksum, and closes the dataset.
@@ -49,6 +53,7 @@ class NumberStream {
   Dataset dataset_;
   Extent shape_;
   Checked checked_ = Checked::no;
+  Stored stored_ = Stored::float64;
   std::vector<double> pending_;  ///< small pieces that are not written yet
   std::uint64_t written_ = 0;    ///< how many numbers are written
   std::uint64_t sum_ = 0;        ///< the checksum of those
@@ -91,6 +96,7 @@ struct MotionPlan {
   std::vector<double> frame_times;
   std::string time_units;           ///< "s"; in statics "1", as the times are load fractions
   std::string model_checksum = {};  ///< coordinates_checksum of the model; empty: nothing can start from the motion
+  Stored frames = Stored::float32;  ///< the numbers of the frames, which are for drawing
 };
 
 /// The end of a reduced motion, from which another run can continue.

@@ -17,6 +17,7 @@ struct XdmfSize {
   std::int64_t vertices;
   std::int64_t cells;
   std::int64_t topology;  ///< entries of mixed_topology
+  int frame_bytes;        ///< of a number of the frames: 4 or 8
 };
 
 /// The path in motion.h5 of the displacements of frame `frame`, 0-based.

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "ritz/base/aligned.hpp"
+#include "ritz/base/simd.hpp"
 #include "ritz/model/model.hpp"
 
 namespace ritz::runtime {
