@@ -134,6 +134,38 @@ void implicit_step(benchmark::State& state) {
 }
 BENCHMARK(implicit_step)->Arg(20)->Arg(30)->Arg(40)->Arg(60);
 
+/// Steps of a resolved motion by the linearly implicit method, against one evaluation and one factorization.
+void linearly_implicit_step(benchmark::State& state) {
+  const Eigen::Index r = state.range(0);
+  auto polynomial = random_polynomial(r);
+  polynomial.quadratic *= 1e-3;
+  polynomial.cubic *= 1e-4;
+  polynomial.quartic *= 1e-4;
+  const auto model = make_model<double>(polynomial, {});
+  const auto method = linearly_implicit();
+  const double dt = 0.05;
+  auto workspace = make_workspace<double>(model, method, dt);
+  auto at = make_evaluation(model.force);
+  auto factors = make_factors<double>(r);
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(r), load = Eigen::VectorXd::Constant(r, 1e-2);
+  auto moving = make_state<double>(model, method, rest, rest, load);
+  for (int n = 0; n < 10; ++n) step<double>(model, moving, {load, load}, dt, workspace);
+  const auto start = moving;
+  Outcome outcome;
+  Fastest whole, evaluating, factoring;
+  const Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(r, r) * 400;
+  for (auto _ : state) {
+    moving = start;
+    whole.turn(1, [&] { outcome = step<double>(model, moving, {load, load}, dt, workspace); });
+    evaluating.turn(1, [&] { evaluate<double>(model.force, moving.z(), at); });
+    factoring.turn(1, [&] { factor(matrix, factors); });
+  }
+  state.counters["us"] = whole.microseconds;
+  state.counters["evaluations"] = outcome.evaluations;
+  state.counters["ratio"] = whole.microseconds / (evaluating.microseconds + factoring.microseconds);
+}
+BENCHMARK(linearly_implicit_step)->Arg(20)->Arg(30)->Arg(40)->Arg(60);
+
 /// u = U z at 50,000 vertices.
 void reconstruction(benchmark::State& state) {
   const Eigen::Index r = state.range(0), n = 50'000;

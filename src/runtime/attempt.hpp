@@ -50,8 +50,14 @@ template <class Scalar>
 void evaluate_inertia(const Model<Scalar>& model, const State<Scalar>& state, const ImplicitStep<Scalar>& numbers,
                       NewtonRoom<Scalar>& room);
 
-/// Solves the step's equation by Newton's method from δ = 0; the solution is room.delta. room.begin and room.end are
-/// the loads at the ends of the part.
+/// Whether a linearly implicit method may solve this step by one correction: second derivatives are known of the
+/// internal force alone.
+template <class Scalar>
+bool may_linearise(const Model<Scalar>& model, const StepLoad<Scalar>& load, const ImplicitStep<Scalar>& numbers);
+
+/// Solves the step's equation, from a guess that is good by one correction, else by Newton's method from δ = 0; the
+/// solution is room.delta. room.begin and room.end are the loads at the ends of the part. Only where one correction
+/// solved it does the outcome of a linearly implicit method have a single evaluation.
 template <class Scalar>
 Outcome solve_implicit(const Model<Scalar>& model, const State<Scalar>& state, const StepLoad<Scalar>& load,
                        const StepPart<Scalar>& part, const ImplicitStep<Scalar>& numbers,
@@ -69,6 +75,12 @@ template <class Scalar>
 void chain_implicit(const Model<Scalar>& model, const State<Scalar>& state, const StepLoad<Scalar>& load,
                     const StepPart<Scalar>& part, const ImplicitStep<Scalar>& numbers, NewtonRoom<Scalar>& room,
                     StepDerivative<Scalar>& derivative);
+
+/// For a step of a linearly implicit method that was solved by one correction, before the state is advanced.
+template <class Scalar>
+void chain_linearised(const Model<Scalar>& model, const State<Scalar>& state, const StepLoad<Scalar>& load,
+                      const StepPart<Scalar>& part, const ImplicitStep<Scalar>& numbers, NewtonRoom<Scalar>& room,
+                      StepDerivative<Scalar>& derivative);
 
 /// For an explicit step, where its forces were evaluated last.
 template <class Scalar>

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <optional>
 
 #include "attempt.hpp"
 
@@ -81,6 +82,73 @@ void evaluate_position_force(const State<Scalar>& state, const PositionForce<Sca
   room.position_tangent = room.position_tangent_sum;
 }
 
+/// `off`: δ* − δ.
+template <class Scalar>
+double local_error(const State<Scalar>& state, const ImplicitStep<Scalar>& numbers, const Vector<Scalar>& off) {
+  const Eigen::Index deformed = off.size() - (state.frame ? frame_coordinates : 0);
+  return static_cast<double>(numbers.error * off.tail(deformed).norm());
+}
+
+/// The first correction of the guess; nothing where the guess is not to be trusted.
+template <class Scalar>
+std::optional<Outcome> correct_guess(const Model<Scalar>& model, const State<Scalar>& state,
+                                     const StepLoad<Scalar>& load, const StepPart<Scalar>& part,
+                                     const ImplicitStep<Scalar>& numbers, const NewtonOptions<Scalar>& options,
+                                     NewtonRoom<Scalar>& room) {
+  combine(state.history, numbers.guess, room.delta);
+  const Scalar scale = evaluate_residual(model, state, load, part, numbers, room);
+  if (!(room.residual.norm() <= numbers.trust * scale) || options.iterations == 0) return std::nullopt;
+  factor_jacobian(model, load, numbers, room);
+  if (!std::isfinite(correct(room))) return std::nullopt;
+  return Outcome{.iterations = 1, .evaluations = 1, .error = local_error(state, numbers, room.correction)};
+}
+
+/// Newton's iteration from δ = 0.
+template <class Scalar>
+Outcome iterate(const Model<Scalar>& model, const State<Scalar>& state, const StepLoad<Scalar>& load,
+                const StepPart<Scalar>& part, const ImplicitStep<Scalar>& numbers, const NewtonOptions<Scalar>& options,
+                NewtonRoom<Scalar>& room) {
+  constexpr Scalar rounding = 8 * std::numeric_limits<Scalar>::epsilon();
+  Outcome outcome{.status = Status::not_converged};
+  room.delta.setZero();
+  // How far the body is from where its coordinates are 0: positions are known to rounding of that.
+  const Scalar away = state.z().norm() + (state.frame ? state.frame->origin.norm() : Scalar(0));
+  Scalar last = std::numeric_limits<Scalar>::infinity();
+  int shortened = 0;
+  for (;;) {
+    const Scalar scale = evaluate_residual(model, state, load, part, numbers, room);
+    ++outcome.evaluations;
+    const Scalar size = room.residual.norm();
+    if (!std::isfinite(size)) {
+      outcome.status = Status::not_finite;
+      return outcome;
+    }
+    const bool started = outcome.iterations > 0;
+    if (size == 0 || (started && size <= options.tolerance * scale)) break;
+    if (size > last && shortened < shortenings) {  // the correction went too far: take half of it back
+      room.correction_taken /= 2;
+      room.delta += room.correction_taken;
+      ++shortened;
+      continue;
+    }
+    if (outcome.iterations == options.iterations) return outcome;
+    last = size;
+    shortened = 0;
+    factor_jacobian(model, load, numbers, room);
+    const Scalar change = correct(room);
+    room.correction_taken = room.correction;
+    ++outcome.iterations;
+    if (change <= rounding * (away + room.delta.norm())) {
+      outcome.status = Status::done;  // δ is as good as its last digit, whatever R's rounding
+      return outcome;
+    }
+  }
+  // The last factors are at hand: one more correction by them costs next to nothing and makes a small residual tiny.
+  if (outcome.iterations > 0) correct(room);
+  outcome.status = room.delta.allFinite() ? Status::done : Status::not_finite;
+  return outcome;
+}
+
 }  // namespace
 
 template <class Scalar>
@@ -130,9 +198,14 @@ void evaluate_inertia(const Model<Scalar>& model, const State<Scalar>& state, co
 template <class Scalar>
 void factor_jacobian(const Model<Scalar>& model, const StepLoad<Scalar>& load, const ImplicitStep<Scalar>& numbers,
                      NewtonRoom<Scalar>& room) {
-  if (takes_mean(numbers)) room.jacobian = room.mean.tangent;
-  else room.jacobian = numbers.point * room.at_point.tangent;
-  add_damping<Scalar>(model, numbers.drag, room.jacobian);
+  const auto& tangent = takes_mean(numbers) ? room.mean.tangent : room.at_point.tangent;
+  const Scalar share = takes_mean(numbers) ? Scalar(1) : numbers.point;
+  if (const auto* damping = std::get_if<Matrix<Scalar>>(&model.damping)) {
+    room.jacobian = share * tangent + numbers.drag * *damping;  // in one pass, as the matrices fill a cache
+  } else {
+    room.jacobian = share * tangent;
+    add_damping<Scalar>(model, numbers.drag, room.jacobian);
+  }
   add_mass(model.inertia, numbers.inertia, room.inertia, room.jacobian);
   const bool varies = std::holds_alternative<VaryingInertia<Scalar>>(model.inertia);
   if (varies) room.jacobian += numbers.drag * room.inertia.by_velocity + numbers.point * room.inertia.by_position;
@@ -142,48 +215,24 @@ void factor_jacobian(const Model<Scalar>& model, const StepLoad<Scalar>& load, c
 }
 
 template <class Scalar>
+bool may_linearise(const Model<Scalar>& model, const StepLoad<Scalar>& load, const ImplicitStep<Scalar>& numbers) {
+  return numbers.trust > 0 && !load.position && !std::holds_alternative<VaryingInertia<Scalar>>(model.inertia);
+}
+
+template <class Scalar>
 Outcome solve_implicit(const Model<Scalar>& model, const State<Scalar>& state, const StepLoad<Scalar>& load,
                        const StepPart<Scalar>& part, const ImplicitStep<Scalar>& numbers,
                        const NewtonOptions<Scalar>& options, NewtonRoom<Scalar>& room) {
-  constexpr Scalar rounding = 8 * std::numeric_limits<Scalar>::epsilon();
-  Outcome outcome{.status = Status::not_converged};
   write_target(model, state, numbers, room);
-  room.delta.setZero();
-  // How far the body is from where its coordinates are 0: positions are known to rounding of that.
-  const Scalar away = state.z().norm() + (state.frame ? state.frame->origin.norm() : Scalar(0));
-  Scalar last = std::numeric_limits<Scalar>::infinity();
-  int shortened = 0;
-  for (;;) {
-    const Scalar scale = evaluate_residual(model, state, load, part, numbers, room);
-    ++outcome.evaluations;
-    const Scalar size = room.residual.norm();
-    if (!std::isfinite(size)) {
-      outcome.status = Status::not_finite;
-      return outcome;
-    }
-    const bool started = outcome.iterations > 0;
-    if (size == 0 || (started && size <= options.tolerance * scale)) break;
-    if (size > last && shortened < shortenings) {  // the correction went too far: take half of it back
-      room.correction_taken /= 2;
-      room.delta += room.correction_taken;
-      ++shortened;
-      continue;
-    }
-    if (outcome.iterations == options.iterations) return outcome;
-    last = size;
-    shortened = 0;
-    factor_jacobian(model, load, numbers, room);
-    const Scalar change = correct(room);
-    room.correction_taken = room.correction;
-    ++outcome.iterations;
-    if (change <= rounding * (away + room.delta.norm())) {
-      outcome.status = Status::done;  // δ is as good as its last digit, whatever R's rounding
-      return outcome;
-    }
-  }
-  // The last factors are at hand: one more correction by them costs next to nothing and makes a small residual tiny.
-  if (outcome.iterations > 0) correct(room);
-  outcome.status = room.delta.allFinite() ? Status::done : Status::not_finite;
+  const bool guesses = may_linearise(model, load, numbers);
+  if (guesses)
+    if (const auto once = correct_guess(model, state, load, part, numbers, options, room)) return *once;
+  auto outcome = iterate(model, state, load, part, numbers, options, room);
+  if (guesses) ++outcome.evaluations;
+  if (std::isnan(numbers.error)) return outcome;
+  combine(state.history, numbers.guess, room.point);
+  room.point -= room.delta;
+  outcome.error = local_error(state, numbers, room.point);
   return outcome;
 }
 
@@ -195,6 +244,7 @@ Outcome solve_implicit(const Model<Scalar>& model, const State<Scalar>& state, c
                                 const ImplicitStep<S>&, NewtonRoom<S>&);                                      \
   template void factor_jacobian(const Model<S>&, const StepLoad<S>&, const ImplicitStep<S>&, NewtonRoom<S>&); \
   template void evaluate_inertia(const Model<S>&, const State<S>&, const ImplicitStep<S>&, NewtonRoom<S>&);   \
+  template bool may_linearise(const Model<S>&, const StepLoad<S>&, const ImplicitStep<S>&);                   \
   template Outcome solve_implicit(const Model<S>&, const State<S>&, const StepLoad<S>&, const StepPart<S>&,   \
                                   const ImplicitStep<S>&, const NewtonOptions<S>&, NewtonRoom<S>&);
 RITZ_INSTANCE(double)

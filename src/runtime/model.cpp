@@ -62,6 +62,7 @@ Model<Scalar> make_model(const model::Polynomial& polynomial, const Damping& dam
   Eigen::MatrixXd D = damping.beta * rest;
   D.diagonal().array() += damping.alpha;
   D.diagonal() += by_ratios(damping, rest.diagonal(), rigid_stiffness * rest.diagonal().maxCoeff());
+  if (damping.beta == 0) return {.force = std::move(force), .damping = Vector<Scalar>(D.diagonal().cast<Scalar>())};
   return {.force = std::move(force), .damping = Matrix<Scalar>(D.cast<Scalar>())};
 }
 

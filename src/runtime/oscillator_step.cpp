@@ -37,8 +37,12 @@ ImplicitStep<Scalar> scaled(const ImplicitStep<>& unit, History history, Scalar 
                             .begin = Scalar(unit.begin),
                             .end = Scalar(unit.end),
                             .history = unit.history.cast<Scalar>(),
-                            .change = unit.change.cast<Scalar>()};
+                            .change = unit.change.cast<Scalar>(),
+                            .guess = unit.guess.cast<Scalar>(),
+                            .trust = Scalar(unit.trust),
+                            .error = Scalar(unit.error)};
   for (int c = 0; c < 4; ++c) {
+    step.guess[c] = times(step.guess[c], dt, p[c]);
     step.acceleration[c] = times(step.acceleration[c], dt, p[c] - 2);
     step.velocity[c] = times(step.velocity[c], dt, p[c] - 1);
     step.change[c] = times(step.change[c], dt, -p[c]);

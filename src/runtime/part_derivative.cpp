@@ -91,18 +91,11 @@ Matrix<Scalar> damping_of(const Model<Scalar>& model, const NewtonRoom<Scalar>& 
   return damping;
 }
 
-}  // namespace
-
+/// The derivative of δ where it solves the equation of the step, linearised at room.delta.
 template <class Scalar>
-StepDerivative<Scalar> make_step_derivative(const Model<Scalar>& model, const Integrator& integrator) {
-  const Index r = model.size(), size = history_size(integrator.history) * r;
-  return {Matrix<Scalar>::Identity(size, size), Matrix<Scalar>::Zero(size, r), Matrix<Scalar>::Zero(size, r)};
-}
-
-template <class Scalar>
-void chain_implicit(const Model<Scalar>& model, const State<Scalar>& state, const StepLoad<Scalar>& load,
-                    const StepPart<Scalar>& part, const ImplicitStep<Scalar>& numbers, NewtonRoom<Scalar>& room,
-                    StepDerivative<Scalar>& derivative) {
+UnknownDerivative<Scalar> differentiate_implicit(const Model<Scalar>& model, const State<Scalar>& state,
+                                                 const StepLoad<Scalar>& load, const StepPart<Scalar>& part,
+                                                 const ImplicitStep<Scalar>& numbers, NewtonRoom<Scalar>& room) {
   const Index r = model.size();
   evaluate_forces(model, state, load, part, numbers, room);
   evaluate_inertia(model, state, numbers, room);
@@ -119,6 +112,51 @@ void chain_implicit(const Model<Scalar>& model, const State<Scalar>& state, cons
     delta.state.leftCols(r) -= room.inertia.by_position;
   room.position_force = position_force;
   for (auto* matrix : {&delta.state, &delta.begin, &delta.end}) solve_columns(room.factors, *matrix);
+  return delta;
+}
+
+/// The matrix d(K̃(q) w)/dq, r x r: a difference of tangents, which is exact as they are quadratic in q.
+template <class Scalar>
+Matrix<Scalar> second_derivative(const Model<Scalar>& model, const Vector<Scalar>& q, const Vector<Scalar>& w,
+                                 NewtonRoom<Scalar>& room) {
+  const Vector<Scalar> ahead = q + w, behind = q - w;
+  evaluate<Scalar>(model.force, ahead, room.at_point);
+  const Matrix<Scalar> tangent = room.at_point.tangent;
+  evaluate<Scalar>(model.force, behind, room.at_point);
+  return (tangent - room.at_point.tangent) / 2;
+}
+
+}  // namespace
+
+template <class Scalar>
+StepDerivative<Scalar> make_step_derivative(const Model<Scalar>& model, const Integrator& integrator) {
+  const Index r = model.size(), size = history_size(integrator.history) * r;
+  return {Matrix<Scalar>::Identity(size, size), Matrix<Scalar>::Zero(size, r), Matrix<Scalar>::Zero(size, r)};
+}
+
+template <class Scalar>
+void chain_implicit(const Model<Scalar>& model, const State<Scalar>& state, const StepLoad<Scalar>& load,
+                    const StepPart<Scalar>& part, const ImplicitStep<Scalar>& numbers, NewtonRoom<Scalar>& room,
+                    StepDerivative<Scalar>& derivative) {
+  const auto delta = differentiate_implicit(model, state, load, part, numbers, room);
+  chain(delta, numbers, part, state.frame ? &room.delta : nullptr, derivative);
+}
+
+template <class Scalar>
+void chain_linearised(const Model<Scalar>& model, const State<Scalar>& state, const StepLoad<Scalar>& load,
+                      const StepPart<Scalar>& part, const ImplicitStep<Scalar>& numbers, NewtonRoom<Scalar>& room,
+                      StepDerivative<Scalar>& derivative) {
+  const Index r = model.size();
+  const Vector<Scalar> solution = room.delta;
+  combine(state.history, numbers.guess, room.delta);
+  auto delta = differentiate_implicit(model, state, load, part, numbers, room);
+  auto bent = second_derivative<Scalar>(model, state.z() + numbers.point * room.delta, room.delta - solution, room);
+  bent *= numbers.point;
+  solve_columns(room.factors, bent);
+  delta.state.leftCols(r) += bent;
+  for (Index c = 0; c < state.history.cols(); ++c)
+    delta.state.middleCols(c * r, r) += numbers.point * numbers.guess[c] * bent;
+  room.delta = solution;
   chain(delta, numbers, part, state.frame ? &room.delta : nullptr, derivative);
 }
 
@@ -155,11 +193,13 @@ void chain_explicit(const Model<Scalar>& model, const State<Scalar>& state, cons
   chain(acceleration, numbers, part, state.frame ? &room.delta : nullptr, derivative);
 }
 
-#define RITZ_INSTANCE(S)                                                                                 \
-  template StepDerivative<S> make_step_derivative(const Model<S>&, const Integrator&);                   \
-  template void chain_implicit(const Model<S>&, const State<S>&, const StepLoad<S>&, const StepPart<S>&, \
-                               const ImplicitStep<S>&, NewtonRoom<S>&, StepDerivative<S>&);              \
-  template void chain_explicit(const Model<S>&, const State<S>&, const StepLoad<S>&, const StepPart<S>&, \
+#define RITZ_INSTANCE(S)                                                                                   \
+  template StepDerivative<S> make_step_derivative(const Model<S>&, const Integrator&);                     \
+  template void chain_implicit(const Model<S>&, const State<S>&, const StepLoad<S>&, const StepPart<S>&,   \
+                               const ImplicitStep<S>&, NewtonRoom<S>&, StepDerivative<S>&);                \
+  template void chain_linearised(const Model<S>&, const State<S>&, const StepLoad<S>&, const StepPart<S>&, \
+                                 const ImplicitStep<S>&, NewtonRoom<S>&, StepDerivative<S>&);              \
+  template void chain_explicit(const Model<S>&, const State<S>&, const StepLoad<S>&, const StepPart<S>&,   \
                                const ExplicitStep<S>&, NewtonRoom<S>&, StepDerivative<S>&);
 RITZ_INSTANCE(double)
 RITZ_INSTANCE(float)

@@ -35,6 +35,7 @@ NewtonRoom<Scalar> make_room(const Model<Scalar>& model, const Integrator& integ
                           .inertia = make_inertia_at<Scalar>(varies ? r : 0),
                           .jacobian = square,
                           .factors = make_factors<Scalar>(r),
+                          .next = Matrix<Scalar>::Zero(r, history_size(integrator.history)),
                           .before = {.history = Matrix<Scalar>::Zero(r, history_size(integrator.history))}};
   for (auto* vector : {&room.target, &room.acceleration, &room.velocity, &room.delta, &room.point, &room.residual,
                        &room.correction, &room.correction_taken, &room.begin, &room.end})
@@ -49,13 +50,15 @@ NewtonRoom<Scalar> make_room(const Model<Scalar>& model, const Integrator& integ
 
 /// y_c := Σ_j history_cj y_j + change_c x of each coordinate.
 template <class Scalar, class Numbers>
-void advance(const Numbers& numbers, const Vector<Scalar>& unknown, Scalar dt, State<Scalar>& state) {
+void advance(const Numbers& numbers, const Vector<Scalar>& unknown, Scalar dt, Matrix<Scalar>& next,
+             State<Scalar>& state) {
   const Eigen::Index width = state.history.cols();
-  for (Eigen::Index i = 0; i < unknown.size(); ++i) {
-    Eigen::Matrix<Scalar, 4, 1> next = numbers.change * unknown[i];
-    for (Eigen::Index j = 0; j < width; ++j) next += numbers.history.col(j) * state.history(i, j);
-    state.history.row(i) = next.head(width).transpose();
+  for (Eigen::Index c = 0; c < width; ++c) {
+    next.col(c) = numbers.change[c] * unknown;
+    for (Eigen::Index j = 0; j < width; ++j)
+      if (numbers.history(c, j) != 0) next.col(c) += numbers.history(c, j) * state.history.col(j);
   }
+  state.history.swap(next);
   state.last_dt = dt;
   if (!state.frame) return;
   *state.frame = moved<Scalar>(*state.frame, state.history.col(0).template head<frame_coordinates>());
@@ -74,7 +77,7 @@ Outcome attempt(const Model<Scalar>& model, State<Scalar>& state, const StepLoad
     const auto outcome = solve_explicit(model, state, load, part, numbers, dt, room);
     if (outcome.status != Status::done) return outcome;
     if (derivative) chain_explicit(model, state, load, part, numbers, room, *derivative);
-    advance(numbers, room.acceleration, dt, state);
+    advance(numbers, room.acceleration, dt, room.next, state);
     return outcome;
   }
   const bool starts = integrator.start && state.last_dt != dt;
@@ -82,8 +85,10 @@ Outcome attempt(const Model<Scalar>& model, State<Scalar>& state, const StepLoad
       scaled(starts ? *integrator.start : std::get<ImplicitStep<>>(integrator.step), integrator.history, dt);
   const auto outcome = solve_implicit(model, state, load, part, numbers, workspace.options, room);
   if (outcome.status != Status::done) return outcome;
-  if (derivative) chain_implicit(model, state, load, part, numbers, room, *derivative);
-  advance(numbers, room.delta, dt, state);
+  const bool once = outcome.evaluations == 1 && may_linearise(model, load, numbers);
+  if (derivative && once) chain_linearised(model, state, load, part, numbers, room, *derivative);
+  else if (derivative) chain_implicit(model, state, load, part, numbers, room, *derivative);
+  advance(numbers, room.delta, dt, room.next, state);
   return outcome;
 }
 
@@ -99,7 +104,7 @@ Outcome step_in_parts(const Model<Scalar>& model, State<Scalar>& state, const St
   auto& room = std::get<NewtonRoom<Scalar>>(workspace.room);
   refuse_unstable(workspace.integrator, room.highest_frequency, double(dt));
   const auto narrowest = std::ldexp(Scalar(1), -workspace.options.halvings);
-  Outcome outcome;
+  Outcome outcome{.error = 0};
   room.before = state;
   StepPart<Scalar> part;
   auto& [at, width] = part;
@@ -116,6 +121,7 @@ Outcome step_in_parts(const Model<Scalar>& model, State<Scalar>& state, const St
       outcome.work += static_cast<double>((room.begin + room.end).dot(room.delta)) / 2;
       if (load.position) outcome.work += static_cast<double>(room.position_force.dot(room.delta));
       outcome.dissipated += static_cast<double>(room.residual.dot(room.delta) / (width * dt));
+      outcome.error += tried.error;
       at += width;
       if (width < 1 && std::fmod(at, 2 * width) == 0) width *= 2;
       continue;

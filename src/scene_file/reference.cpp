@@ -15,6 +15,7 @@ integrator = "newmark"          # one of:
                                 #   avf                 average vector field: keeps the energy; the default of all others
                                 #   newmark             average acceleration, second order
                                 #   generalized-alpha   second order, damps what the step does not resolve
+                                #   linearly-implicit   the same for one evaluation a step where it can; its error is said
                                 #   bdf2                second order, damps more
                                 #   implicit-euler      first order, damps most
                                 #   central-difference  explicit: the step has a limit, which is said

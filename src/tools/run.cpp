@@ -95,7 +95,7 @@ void refuse_unfit(const RunOptions& options, const RunBody& body) {
   if (nonlinear && time && time->integrator == scene::Integrator::exact)
     throw InputError(
         "the integrator 'exact' is for linear models, and this one is nonlinear: choose avf, implicit-euler, newmark, "
-        "generalized-alpha, bdf2 or central-difference, or run it with --linear");
+        "generalized-alpha, linearly-implicit, bdf2 or central-difference, or run it with --linear");
   if (!nonlinear && options.precision == world::Precision::float32)
     throw InputError("--single is for nonlinear forces, and these are linear: leave it out");
 }
@@ -167,6 +167,7 @@ void say(const BodyResult& of, const scene::Scene& scene, std::int64_t frames, s
     out << result.iterations << " Newton iterations, " << result.rejected << " steps rejected; ";
   out << frames << " frames in " << output.string() << '\n';
   if (result.energy) out << who(body) << balance_line(*result.energy) << '\n';
+  if (result.errors) out << who(body) << error_line(*result.errors) << '\n';
   if (inverted > 0) out << who(body) << counted(inverted, "cell is", "cells are") << " inside out at the end\n";
 }
 

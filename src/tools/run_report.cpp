@@ -85,6 +85,16 @@ std::string overdamped(const scene::Damping& damping) {
          "damping, and 2 % is written 0.02";
 }
 
+std::string error_line(const world::StepErrors& errors) {
+  const auto percent = [&](double error) { return errors.displacement > 0 ? 100 * error / errors.displacement : 0; };
+  std::ostringstream text;
+  text.precision(2);
+  text << "estimated error of the steps: at most " << percent(errors.largest)
+       << " % of the largest displacement in one, " << percent(errors.sum)
+       << " % in all, what later steps make of it not counted";
+  return text.str();
+}
+
 std::string warning(const world::EnergyGain& gain, const std::string& integrator) {
   std::ostringstream text;
   text.precision(3);
@@ -107,6 +117,11 @@ Json energy(const std::optional<world::EnergyBalance>& balance) {
       {"available", balance->available}};
 }
 
+Json errors(const std::optional<world::StepErrors>& errors) {
+  if (!errors) return nullptr;
+  return Json::Object{{"largest", errors->largest}, {"sum", errors->sum}, {"displacement", errors->displacement}};
+}
+
 Json::Object members(const Summarised& run, const BodyResult& body) {
   const bool timed = std::holds_alternative<scene::Time>(run.scene.analysis);
   return {{"model", body.body.model_file.string()},
@@ -120,7 +135,8 @@ Json::Object members(const Summarised& run, const BodyResult& body) {
           {"seconds", body.result.seconds},
           {"frames", run.frames},
           {"inverted_cells", body.inverted_cells},
-          {"energy", energy(body.result.energy)}};
+          {"energy", energy(body.result.energy)},
+          {"step_errors", errors(body.result.errors)}};
 }
 
 }  // namespace

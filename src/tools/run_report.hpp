@@ -30,6 +30,9 @@ std::string balance_line(const world::EnergyBalance& balance);
 /// A warning of damping ratios of 1 and more, which are percents as a rule; empty if there are none.
 std::string overdamped(const scene::Damping& damping);
 
+/// A line: what the steps are wrong by, as estimated, in the largest step and in all.
+std::string error_line(const world::StepErrors& errors);
+
 /// A sentence that names integrators which hold the energy.
 std::string warning(const world::EnergyGain& gain, const std::string& integrator);
 

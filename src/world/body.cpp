@@ -27,6 +27,7 @@ runtime::Integrator choose(std::optional<scene::Integrator> asked, const runtime
     case scene::Integrator::bdf2: return runtime::bdf2();
     case scene::Integrator::central_difference: return runtime::central_difference();
     case scene::Integrator::avf: return runtime::avf();
+    case scene::Integrator::linearly_implicit: return runtime::linearly_implicit();
   }
   throw std::logic_error("an integrator without a name");
 }

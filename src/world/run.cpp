@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <utility>
@@ -29,6 +30,14 @@ void add(const StepCost& cost, const Observer& observer, RunResult& result) {
   result.iterations += cost.iterations;
   result.rejected += cost.rejected;
   observer.cost(cost);
+}
+
+void add(const runtime::Outcome& outcome, double displacement, RunResult& result) {
+  if (std::isnan(outcome.error)) return;
+  auto& errors = result.errors ? *result.errors : result.errors.emplace();
+  errors.largest = std::max(errors.largest, outcome.error);
+  errors.sum += M_PI / 2 * outcome.error;
+  errors.displacement = std::max(errors.displacement, displacement);
 }
 
 /// Looks at the energy of a nonlinear motion, now and then.
@@ -173,6 +182,7 @@ class Moving {
     }
     done_ = n;
     if (watch_) watch_->after(n, t, outcome);
+    add(outcome, static_cast<double>(instance_.state.z().norm()), result_);
     tell();
     return true;
   }

@@ -33,8 +33,8 @@ TEST(Allocation, IsNoticed) {
 TEST(Allocation, NoneInAStepOfAnyIntegrator) {
   const auto model = some_oscillators();
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(many), force = Eigen::VectorXd::Ones(many);
-  for (const auto& integrator :
-       {exact(), implicit_euler(), newmark(), generalized_alpha(), bdf2(), central_difference(), avf()}) {
+  for (const auto& integrator : {exact(), implicit_euler(), newmark(), generalized_alpha(), bdf2(),
+                                 central_difference(), avf(), linearly_implicit()}) {
     auto state = make_state<double>(model, integrator, rest, rest, force);
     auto workspace = make_workspace<double>(model, integrator, 1e-3);
     const auto before = allocations();

@@ -42,7 +42,8 @@ double observed_order(const Integrator& integrator, double lambda, double d) {
 TEST(Integrators, HaveTheirOrder) {
   for (const auto& [lambda, d] : {std::pair(30., 0.), {30., 1.5}, {4., 8.}, {0., 0.}, {0., 2.}}) {
     EXPECT_NEAR(observed_order(implicit_euler(), lambda, d), 1, .1) << lambda << ' ' << d;
-    for (const auto& second : {newmark(), generalized_alpha(), bdf2(), central_difference(), avf()})
+    for (const auto& second :
+         {newmark(), generalized_alpha(), bdf2(), central_difference(), avf(), linearly_implicit()})
       EXPECT_NEAR(observed_order(second, lambda, d), 2, .1) << second.name << ' ' << lambda << ' ' << d;
   }
 }

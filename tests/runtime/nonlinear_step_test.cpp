@@ -140,6 +140,7 @@ TEST(NonlinearStep, SinglePrecisionFollowsDouble) {
   compare_precisions<2>();
   compare_precisions<3>();
   compare_precisions<4>();
+  compare_precisions<5>();
 }
 
 }  // namespace

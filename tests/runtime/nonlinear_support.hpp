@@ -9,7 +9,7 @@ namespace ritz::test {
 
 inline std::vector<runtime::Integrator> implicit_methods() {
   using namespace runtime;
-  return {implicit_euler(), newmark(), generalized_alpha(), bdf2(), avf()};
+  return {implicit_euler(), newmark(), generalized_alpha(), bdf2(), avf(), linearly_implicit()};
 }
 
 inline std::vector<runtime::Integrator> all_methods() {

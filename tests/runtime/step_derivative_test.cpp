@@ -81,6 +81,24 @@ TEST(StepDerivative, OfEveryIntegratorAgreesWithDifferences) {
   }
 }
 
+TEST(StepDerivative, OfALinearisedStepHasTheSecondDerivativeOfTheForce) {
+  const auto model = make_model<double>(test::random_polynomial(r, 6), damping);
+  auto function = moving(model, linearly_implicit(), {}, 0.07);
+  EXPECT_LE(error(function, 1e-5), 1e-8);
+  StepDerivative<double> own, converged;
+  function(function.start(), &own);
+  const auto outcome = [&] {
+    auto state = function.motion.state;
+    const VectorXd x = function.start();
+    const VectorXd begin = x.segment(function.width(), r), end = x.tail(r);
+    return step<double>(model, state, {begin, end}, function.motion.dt, function.motion.workspace);
+  }();
+  ASSERT_EQ(outcome.evaluations, 1);
+  function.motion.workspace = make_workspace<double>(model, generalized_alpha(), function.motion.dt);
+  function(function.start(), &converged);
+  EXPECT_GT((own.state - converged.state).norm(), 1e-4 * own.state.norm());
+}
+
 TEST(StepDerivative, InSinglePrecision) {
   for (const auto& integrator : test::all_methods()) {
     const auto model = make_model<float>(test::random_polynomial(r), damping);
@@ -100,8 +118,8 @@ TEST(StepDerivative, GoesThroughTheHalvesOfARejectedStep) {
 TEST(StepDerivative, OfOscillatorsIsTheirTable) {
   const Model<double> model{.force = LinearForce<double>{VectorXd::LinSpaced(r, 0, 90)},
                             .damping = VectorXd(VectorXd::LinSpaced(r, .1, 2))};
-  for (const auto& integrator :
-       {exact(), implicit_euler(), newmark(), generalized_alpha(), bdf2(), central_difference(), avf()})
+  for (const auto& integrator : {exact(), implicit_euler(), newmark(), generalized_alpha(), bdf2(),
+                                 central_difference(), avf(), linearly_implicit()})
     EXPECT_LE(error(moving(model, integrator), 1e-3), 1e-11) << integrator.name;
 }
 

@@ -42,7 +42,7 @@ double duffing_at(double t, double force) {
 TEST(RunNonlinear, FollowsTheOscillatorWithEveryIntegrator) {
   const double expected = duffing_at(1, 20) / root2;
   for (const std::string name :
-       {"", "implicit-euler", "newmark", "generalized-alpha", "bdf2", "central-difference", "avf"})
+       {"", "implicit-euler", "newmark", "generalized-alpha", "bdf2", "central-difference", "avf", "linearly-implicit"})
     for (const auto precision : {world::Precision::float64, world::Precision::float32}) {
       const test::RunFolder folder;
       const std::string choice = name.empty() ? "" : "integrator = '" + name + "'\n";

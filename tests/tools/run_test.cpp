@@ -56,8 +56,8 @@ vertex = 20
 }
 
 TEST(Run, EveryIntegratorNearsTheExactMotion) {
-  for (const std::string name :
-       {"exact", "implicit-euler", "newmark", "generalized-alpha", "bdf2", "central-difference", "avf"}) {
+  for (const std::string name : {"exact", "implicit-euler", "newmark", "generalized-alpha", "bdf2",
+                                 "central-difference", "avf", "linearly-implicit"}) {
     const test::RunFolder folder;
     test::run(folder.prepare("[time]\nstep = 1e-3\nend = 1\nintegrator = '" + name +
                              "'\n[damping]\nratio = 0.1\n[[load]]\nset = 'tip'\ntotal = [0, 0, 18]\n" +

@@ -4,6 +4,7 @@
 // oscillator from a table, step a nonlinear model by Newton's method, and give the derivative of the step.
 #pragma once
 #include <Eigen/Core>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <variant>
@@ -42,6 +43,11 @@ enum class ForceRule : unsigned char {
 ///
 /// where the first bracket is the acceleration and the second the velocity at which the equation holds. The new history
 /// is y_c := Σ_j history_cj y_j + change_c δ. Coefficients of columns that the history does not have are zero.
+///
+/// Newton's iteration starts at δ = 0. A linearly implicit method also has a guess δ* = Σ_c guess_c y_c and a `trust`
+/// above 0: where the residual at δ* is at most `trust` times the sum of the norms of its terms (see NewtonOptions), δ
+/// is the solution of the equation linearised at δ*, for one evaluation and one factorization. Elsewhere, and always
+/// where forces depend on the position or the inertia varies, it iterates as others do.
 template <class Scalar = double>
 struct ImplicitStep {
   using Column = Eigen::Matrix<Scalar, 4, 1>;
@@ -54,6 +60,10 @@ struct ImplicitStep {
   Scalar begin = 0, end = 1;  ///< weights of the loads f_n and f_{n+1}
   Eigen::Matrix<Scalar, 4, 4> history = Eigen::Matrix<Scalar, 4, 4>::Zero();
   Column change = Column::Zero();
+  Column guess = Column::Zero();
+  Scalar trust = 0;
+  Scalar error =
+      std::numeric_limits<Scalar>::quiet_NaN();  ///< the local error of z is error ‖δ − δ*‖; NaN: no estimate
 };
 
 /// An explicit method. The change δ = Σ_c displacement_c y_c is known, and the step solves for the acceleration a at
@@ -109,6 +119,12 @@ Integrator newmark();
 /// The generalised-α method of Chung and Hulbert [CH93] with ρ∞ = 0.8; second order. As ωΔt → ∞ a step multiplies the
 /// amplitude by 0.8. The internal force is evaluated at the mixed point α_f z_n + (1 − α_f) z_{n+1}.
 Integrator generalized_alpha();
+/// The linearly implicit form of that method, second order: where the guess δ* = Δt z' + ½ Δt² z'' is good, its
+/// equation is linearised there and solved once, as [BJ05] take one Newton iteration a step; where it is not, as at a
+/// sudden load or a step too long for the motion, it is solved as generalized_alpha solves it. As δ − δ* is O(Δt³),
+/// linearising changes δ by O(Δt⁸). The local error is estimated as by [ZX91], from the change of z'' over the step,
+/// which is in proportion to δ − δ*.
+Integrator linearly_implicit();
 /// Backward differences of second order. The first step, and every first step of another length, is one of implicit
 /// Euler.
 Integrator bdf2();

@@ -62,6 +62,9 @@ struct Outcome {
   int rejected = 0;       ///< attempts that failed and were halved
   double work = 0;        ///< of the loads, J: Σ δ·((f_n + f_{n+1})/2 + position force); NaN for steps from a table
   double dissipated = 0;  ///< by damping, J: Σ δ·D δ/Δt; NaN for steps from a table
+  /// The estimated local error of z, √kg m: what the step adds to ‖z − exact z‖, of a carried body to that of its
+  /// deformation; NaN where the method has no estimate, and for steps from a table.
+  double error = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// When Newton's iteration ends: when the residual R satisfies ‖R‖ ≤ tolerance (‖inertia‖ + ‖f̃‖ + ‖loads and
@@ -92,6 +95,7 @@ struct NewtonRoom {
   Factors<Scalar> factors;
   Vector<Scalar> target = {}, acceleration = {}, velocity = {}, delta = {}, point = {};
   Vector<Scalar> residual = {}, correction = {}, correction_taken = {}, begin = {}, end = {};
+  Matrix<Scalar> next = {};
   State<Scalar> before;
   double highest_frequency = 0;  ///< of explicit methods: at rest, rad/s
   Scalar factored_dt = 0;        ///< of explicit methods: the step length for which M + drag D is factored, s

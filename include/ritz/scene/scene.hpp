@@ -15,11 +15,21 @@ namespace ritz::scene {
 
 using Vector3 = std::array<double, 3>;
 
-enum class Integrator { exact, implicit_euler, newmark, generalized_alpha, bdf2, central_difference, avf };
+enum class Integrator {
+  exact,
+  implicit_euler,
+  newmark,
+  generalized_alpha,
+  bdf2,
+  central_difference,
+  avf,
+  linearly_implicit
+};
 
 /// As scene files spell them, in the order of the enumeration.
-inline constexpr std::array<std::string_view, 7> integrator_names = {
-    "exact", "implicit-euler", "newmark", "generalized-alpha", "bdf2", "central-difference", "avf"};
+inline constexpr std::array<std::string_view, 8> integrator_names = {
+    "exact", "implicit-euler",     "newmark", "generalized-alpha",
+    "bdf2",  "central-difference", "avf",     "linearly-implicit"};
 
 /// Piecewise linear in time: (t, value) pairs, t strictly ascending, at least one; the first value holds before, the
 /// last one after.

@@ -82,6 +82,15 @@ struct GivenStart {
 /// How a body starts: as the scene says; with the state of a motion file that the scene names; or where it stopped.
 using Start = std::variant<std::monostate, GivenStart, Checkpoint>;
 
+/// The estimated local errors of z (runtime::Outcome::error), √kg m. Of a vibration they are as much of velocity as of
+/// displacement, of which the estimate sees the latter, 2/π of the whole on average: `sum` makes up for that. It bounds
+/// the error of z as long as later steps do not enlarge the errors of earlier ones, as strongly nonlinear motions may.
+struct StepErrors {
+  double largest = 0;       ///< of one step
+  double sum = 0;           ///< of all steps, times π/2
+  double displacement = 0;  ///< the largest ‖z‖ that a step led to, by which they are to be measured
+};
+
 /// The outcome of a run, for one body.
 struct RunResult {
   std::string_view integrator;                ///< its name; empty for statics
@@ -89,6 +98,7 @@ struct RunResult {
   double seconds = 0;                         ///< wall time of stepping, without recording
   std::int64_t iterations = 0, rejected = 0;  ///< sums over all steps, as in StepCost
   std::optional<EnergyBalance> energy;        ///< only for nonlinear motions
+  std::optional<StepErrors> errors;           ///< only of integrators that estimate them, for nonlinear motions
   std::optional<EnergyGain> gain;             ///< present if a nonlinear motion gained energy without work
   std::optional<Checkpoint> last;             ///< where a motion ended
   std::optional<Failure> failure;             ///< present if the run ended early
