@@ -5,9 +5,9 @@
 #include <string>
 
 #include "ritz/algebra/write_matrix.hpp"
-#include "ritz/app/full_file.cpp"
 #include "ritz/files/part_file.hpp"
 #include "ritz/parallel/comm.hpp"
+#include "ritz/parallel/guard.hpp"
 #include "ritz/parallel/redistribute.hpp"
 
 namespace ritz::app {
@@ -39,7 +39,7 @@ void write_rows(const PendingFile& file, const stages::Problem& problem) {
     out.open(file.part(), std::ios::binary);
     out << "row,vertex,component\n";
   });
-  in_rank_order<std::int64_t>(mesh.comm, mine, [&](auto piece) {
+  parallel::in_rank_order<std::int64_t>(mesh.comm, mine, [&](auto piece) {
     for (std::size_t i = 0; i < piece.size(); i += 2)
       out << ++row << ',' << piece[i] << ',' << "xyz"[piece[i + 1]] << '\n';
   });

@@ -1,8 +1,6 @@
 #include "ritz/app/full_file.hpp"
 
 #include <algorithm>
-#include <exception>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -16,38 +14,6 @@
 namespace ritz::app {
 namespace {
 
-/// *Collective*. Rank 0 writes what all ranks hold, the piece of one rank after that of another: calls `write` on rank
-/// 0 with the values of rank 0, 1, ...; no rank holds more than its own piece and one other. An exception of `write` is
-/// thrown on all ranks.
-template <class T>
-void in_rank_order(MPI_Comm comm, std::span<const T> mine, const std::function<void(std::span<const T>)>& write) {
-  std::exception_ptr failed;
-  const auto attempt = [&](std::span<const T> piece) {
-    try {
-      if (!failed) write(piece);
-    } catch (...) {
-      failed = std::current_exception();
-    }
-  };
-  if (parallel::rank(comm) == 0) {
-    attempt(mine);
-    for (int p = 1; p < parallel::size(comm); ++p) {
-      MPI_Status status;
-      int count = 0;
-      MPI_Probe(p, 0, comm, &status);
-      MPI_Get_count(&status, parallel::mpi_type<T>(), &count);
-      std::vector<T> piece(static_cast<std::size_t>(count));
-      MPI_Recv(piece.data(), count, parallel::mpi_type<T>(), p, 0, comm, MPI_STATUS_IGNORE);
-      attempt(piece);
-    }
-  } else {
-    MPI_Send(mine.data(), static_cast<int>(mine.size()), parallel::mpi_type<T>(), 0, 0, comm);
-  }
-  parallel::on_root(comm, [&] {
-    if (failed) std::rethrow_exception(failed);
-  });
-}
-
 std::span<const double> numbers(const parallel::RowMatrix& rows) {
   return {rows.data(), static_cast<std::size_t>(rows.size())};
 }
@@ -55,7 +21,8 @@ std::span<const double> numbers(const parallel::RowMatrix& rows) {
 /// All ranks' values on rank 0.
 std::vector<std::int64_t> gathered(MPI_Comm comm, std::span<const std::int64_t> mine) {
   std::vector<std::int64_t> all;
-  in_rank_order<std::int64_t>(comm, mine, [&](auto piece) { all.insert(all.end(), piece.begin(), piece.end()); });
+  parallel::in_rank_order<std::int64_t>(comm, mine,
+                                        [&](auto piece) { all.insert(all.end(), piece.begin(), piece.end()); });
   return all;
 }
 
@@ -82,13 +49,13 @@ void FullFile::begin_frames(const FullPlan& plan) {
 void FullFile::write(format::VertexArray array, const parallel::RowMatrix& slice) {
   format::NumberStream stream;
   parallel::on_root(comm_, [&] { stream = file_->array(array); });
-  in_rank_order<double>(comm_, numbers(slice), [&](auto piece) { stream.append(piece); });
+  parallel::in_rank_order<double>(comm_, numbers(slice), [&](auto piece) { stream.append(piece); });
   parallel::on_root(comm_, [&] { stream.close(); });
 }
 
 void FullFile::frame(mesh::VertexRef u) {
   const auto slice = order_.to_file(comm_, by_vertex(u));
-  in_rank_order<double>(comm_, numbers(slice), [&](auto piece) { file_->frames().append(piece); });
+  parallel::in_rank_order<double>(comm_, numbers(slice), [&](auto piece) { file_->frames().append(piece); });
 }
 
 void FullFile::keep(const LastState& state, const std::string& problem_checksum) {

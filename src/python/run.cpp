@@ -157,7 +157,7 @@ Run run(const std::variant<py::dict, std::filesystem::path>& given_scene, const 
         const std::optional<std::filesystem::path>& output, std::optional<std::int64_t> frames,
         std::optional<std::int64_t> every, const std::string& forces, const std::string& precision) {
   tools::RunOptions options;
-  options.voice = tools::Voice::quiet;
+  options.voice = Voice::quiet;
   options.output = output.value_or("");
   options.frames = frames;
   options.every = every;
