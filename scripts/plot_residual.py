@@ -20,7 +20,7 @@ import matplotlib.pyplot as plt  # noqa: E402  (after the choice of backend)
 
 GEOMETRY = Path(__file__).resolve().parents[1] / "config/bracket.geo"
 STEEL = ["-material_young", "2.06e11", "-material_poisson", ".29", "-material_density", "7850"]
-MODES = (1, 2, 3, 5, 8, 10, 15, 20, 30, 40)
+MODES = (1, 2, 4, 7, 10, 20, 40)
 COLOURS = {"modes alone": "#9aa3ad", "with residual vectors of the lug": "#d1495b"}
 
 
@@ -43,7 +43,7 @@ def main():
     runs = {}
     with tempfile.TemporaryDirectory() as folder:
         bench = Bench(asked.programs, folder)
-        programs.run("gmsh", "-3", "-v", "1", "-o", bench.folder / "bracket.msh", GEOMETRY)
+        programs.run("gmsh", "-3", "-v", "1", "-setnumber", "size", "0.009", "-o", bench.folder / "bracket.msh", GEOMETRY)
         for name, words in zip(COLOURS, ([], ["-residual_vectors", "lug"])):
             runs[name] = [lug_error(bench, modes, words, asked.ranks) for modes in MODES]
             for columns, lug, gravity in runs[name]:

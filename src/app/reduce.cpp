@@ -130,7 +130,7 @@ void reduce(MPI_Comm comm, const config::Config& config) {
   });
   progress.line(size_line(extent(mesh, problem.materials), modes.modes) + "\n" + modes_lines(modes.modes, of_modes) +
                 basis_lines(reduced, polynomial, inertia) +
-                static_error_lines(reduced.figures.static_errors, residual) + peak_memory_line(comm) + "\n" +
+                static_error_lines(config, reduced.figures.static_errors, residual) + peak_memory_line(comm) + "\n" +
                 outputs->replaced() + "wrote " + config.output.string());
 }
 

@@ -155,9 +155,8 @@ std::string basis_lines(const ReducedBasis& basis, const std::optional<ReducedPo
         derivatives->pairs, derivatives->solved, derivatives->pairs - derivatives->solved, taylor_slope.value_or(0));
   if (accuracy)
     text += formatted(
-        "accuracy: %d columns of the static answer, %d modes and their derivatives; error on the static path %.2e "
-        "(%.2e "
-        "asked)\n",
+        "accuracy: %d columns of the static answer, %d modes and their derivatives; error on the static path "
+        "%.2e (%.2e asked)\n",
         accuracy->reached.columns, accuracy->reached.modes, accuracy->reached.error, accuracy->target);
   if (polynomial)
     text += formatted(

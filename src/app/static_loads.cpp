@@ -24,7 +24,7 @@ std::string listed(const LoadPlace& place) {
   return plain ? *place : "'\"" + *place + "\"'";
 }
 
-std::string acted_on(const LoadPlace& place) { return place ? "on '" + printable(*place) + "'" : "by gravity"; }
+std::string acted_on(const LoadPlace& place) { return place ? "on '" + printable(*place) + "'" : "under gravity"; }
 
 /// The worst axis of each place, worst place first.
 std::vector<StaticError> worst_of_places(const std::vector<StaticError>& errors) {
@@ -80,12 +80,13 @@ algebra::Tall answers_at(const std::vector<LoadPlace>& some, const stages::UnitL
   return answers(Eigen::all, columns);
 }
 
-std::string static_error_lines(const std::vector<StaticError>& errors, const std::vector<LoadPlace>& residual) {
+std::string static_error_lines(const config::Config& config, const std::vector<StaticError>& errors,
+                               const std::vector<LoadPlace>& residual) {
   std::string text;
   for (const auto& place : residual)
     if (std::ranges::find(errors, place, &StaticError::place) == errors.end())
       text +=
-          "no residual vector for a load " + acted_on(place) + ": supports or the body's own inertia bear it whole\n";
+          "no residual vector for a load " + acted_on(place) + ": supports or the body's own inertia bear all of it\n";
   std::string list, mended;
   std::size_t said = 0;
   for (const auto& [place, axis, missing] : worst_of_places(errors)) {
@@ -95,9 +96,10 @@ std::string static_error_lines(const std::vector<StaticError>& errors, const std
     mended += (mended.empty() ? "" : ",") + listed(place);
   }
   if (list.empty()) return text;
-  if (said > most_said) list += " and less of others", mended = "all";
-  return text + "static answers to loads lack, in the energy norm, " + list + "; -residual_vectors " + mended +
-         " makes those exact\n";
+  text += "what the static answers to loads lack, in the energy norm: " + list;
+  if (said > most_said) text += " and less of others", mended = "all";
+  if (!config.accuracy) text += "; -residual_vectors " + mended + " makes them exact for small displacements";
+  return text + '\n';
 }
 
 files::Json static_error_summary(const std::vector<StaticError>& errors) {

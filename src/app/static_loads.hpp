@@ -26,7 +26,7 @@ algebra::Tall answers_at(const std::vector<stages::LoadPlace>& some, const stage
 
 /// Which static answers the basis misses more than 1 % of, worst first, and what to do about it; and which of the
 /// `residual` places bear their load without an answer. As text to be printed.
-std::string static_error_lines(const std::vector<stages::StaticError>& errors,
+std::string static_error_lines(const config::Config& config, const std::vector<stages::StaticError>& errors,
                                const std::vector<stages::LoadPlace>& residual);
 
 /// For the summary: a list of {"set", "missing"}, or null where nothing was solved for.

@@ -56,18 +56,14 @@ constexpr auto basis_options = std::to_array<OptionEntry>({
     {"basis_tolerance", "T", "1e-12 ... 0.999", "1e-12",
      "in place of -basis: the smallest singular value kept, relative"},
     {"snapshots", "FILE", "", "none",
-     "displacements for proper orthogonal decomposition (POD): .npy, or HDF5 with /snapshots; a row of 3n numbers "
-     "each"},
+     "displacements for proper orthogonal decomposition (POD): .npy, or HDF5 with /snapshots; rows of 3n numbers"},
     {"residual_vectors", "SET,...,gravity | all", "", "none",
      "the static answers to a unit load on these sets along x, y and z, shared by the vertices as a scene's total, and "
-     "to "
-     "gravity join the basis (all: every set and gravity), beside what -basis counts: with them these loads are exact "
-     "in "
-     "statics as long as displacements are small; a free body answers by inertia relief"},
+     "to gravity join the basis (all: every set and gravity), beside what -basis counts: with them these loads are "
+     "exact in statics as long as displacements are small; a free body answers by inertia relief"},
     {"static_error", "", "", "off",
      "say how much of the static answer to a load on each set and to gravity the basis misses also where that takes "
-     "more "
-     "than a few solves: with -solver iterative, for a free body, and for more than 15 sets"},
+     "more than a few solves: with -solver iterative, for a free body, and for more than 15 sets"},
     {"polynomial", "", "", "off",
      "reduce the forces of stvk (St. Venant-Kirchhoff) materials to their exact polynomial, for large displacements"},
     {"accuracy", "E", "1e-6 ... 0.5", "none",

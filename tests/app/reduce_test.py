@@ -234,7 +234,7 @@ class Voice(InAFolder):
         stages, _ = self.plan("-derivatives", "4", "-basis", "8", "-polynomial")
         self.assertEqual(list(stages), [*linear[:3], "basis", "polynomial", "check", *linear[3:]])
         self.assertIn("the first factor is kept", stages["modes"])
-        self.assertRegex(stages["basis"], r"10 derivatives: loads .* s, solves .* s; mass-PCA of 15 vectors")
+        self.assertRegex(stages["basis"], r"10 derivatives: loads .* s, solves .* s; principal directions of 15 vectors")
         self.assertIn("8 coordinates, 44 terms of a strain", stages["polynomial"])
         self.assertEqual(stages["check"], "of the derivatives and of the polynomial")
         stages, _ = self.plan("-derivatives", "4")
@@ -254,7 +254,7 @@ class Voice(InAFolder):
 
     def test_plan_counts_snapshots(self):
         np.save(self.folder / "s.npy", np.ones((6, 135)))
-        self.assertIn("POD of 6 vectors", self.plan("-modes", "0", "-snapshots", "s.npy")[0]["basis"])
+        self.assertIn(" of 6 vectors", self.plan("-modes", "0", "-snapshots", "s.npy")[0]["basis"])
         np.save(self.folder / "s.npy", np.ones((6, 134)))
         self.reduce(*CLAMPED, "-plan", "-snapshots", "s.npy", code=2)
 

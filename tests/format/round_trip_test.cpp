@@ -6,6 +6,7 @@
 
 #include "format/expect_same.hpp"
 #include "format/temporary.hpp"
+#include "ritz/base/error.hpp"
 #include "ritz/format/parts.hpp"
 #include "ritz/format/reader.hpp"
 #include "support/nonlinear_sample_model.hpp"

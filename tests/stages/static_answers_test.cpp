@@ -61,7 +61,9 @@ TEST_P(StaticAnswers, BalanceTheLoads) {
   const Tall b = relieved(loads.columns);
   const Eigen::VectorXd size = algebra::column_norms(r.p.mesh.comm, loads.columns);
   EXPECT_LE(algebra::column_norms(r.p.mesh.comm, K(w) - b).maxCoeff(), 1e-9 * size.maxCoeff());
-  if (r.rigid.cols() > 0) EXPECT_LE(r.gram(r.rigid, w).cwiseAbs().maxCoeff(), 1e-12 * r.norms(w).maxCoeff());
+  if (r.rigid.cols() > 0) {
+    EXPECT_LE(r.gram(r.rigid, w).cwiseAbs().maxCoeff(), 1e-12 * r.norms(w).maxCoeff());
+  }
   // Supports bear what acts on them; the inertia of a free fall bears gravity.
   EXPECT_TRUE((w.middleCols(GetParam().free ? 9 : 0, 3).array() == 0).all());
   EXPECT_GT(r.norms(w.middleCols(3, 6)).minCoeff(), 0);

@@ -11,7 +11,8 @@ model::Polynomial sample_polynomial() {
 
 model::Model nonlinear_sample_model() {
   auto m = sample_model();
-  m.bodies[0].reduction = model::Reduction{Eigen::Vector2d(4, 9), Eigen::Vector3d(2, 1, 0.25), 0.25};
+  m.bodies[0].reduction = model::Reduction{
+      .stiffness = Eigen::Vector2d(4, 9), .singular_values = Eigen::Vector3d(2, 1, 0.25), .discarded = 0.25};
   m.bodies[0].polynomial = sample_polynomial();
   return m;
 }

@@ -34,7 +34,8 @@ class BytesRead : public testing::Test {
     body.inertia->gram = Eigen::MatrixXd::Identity(4 + 3 * r, 4 + 3 * r);
     body.loads.clear();
     body.geometry.sets.clear();
-    body.reduction = model::Reduction{Eigen::VectorXd::LinSpaced(r, 1, 2), Eigen::VectorXd::Ones(r), 0};
+    body.reduction = model::Reduction{
+        .stiffness = Eigen::VectorXd::LinSpaced(r, 1, 2), .singular_values = Eigen::VectorXd::Ones(r), .discarded = 0};
     body.polynomial =
         model::Polynomial{r, Eigen::VectorXd::Ones(r * (r + 1) / 2),
                           Eigen::VectorXd::Ones(r * (r + 1) / 2 * (r + 2) / 3), Eigen::VectorXd::Random(coefficients)};
