@@ -47,8 +47,8 @@ ImplicitStep<> member(const NewmarkFamily& method) {
 }
 
 /// The same, linearly implicit. A member's z'' is that at (α_m − α_f) Δt past the end of its step, so that δ − δ* =
-/// β Δt³ d³z/dt³ and the local error of z is (β − 1/6 + (α_m − α_f)/2) Δt³ d³z/dt³; for Newmark's method see [ZX91]
-/// Eq. 7.
+/// β Δt³ d³z/dt³ and the local error of z is (β − 1/6 + (α_m − α_f)/2) Δt³ d³z/dt³; for Newmark's method see
+/// [ZX91].
 ImplicitStep<> linearised(const NewmarkFamily& method) {
   auto step = member(method);
   step.guess.head<3>() << 0, 1, 0.5;
