@@ -51,26 +51,25 @@ py::dict sets(const py::object& self) {
   return all;
 }
 
-/// What loads of 1 do, a column each.
-Eigen::MatrixXd reduced(const LoadedBody& body, std::vector<scene::Load> loads) {
+/// What a load does, r numbers.
+Eigen::VectorXd reduced(const LoadedBody& body, const scene::Load& load) {
   const scene::Scene scene{
-      .analysis = scene::Static{1}, .damping = {}, .gravity = {}, .shake = {}, .loads = std::move(loads), .probes = {}};
-  const auto made = world::reduce_loads(scene, *body.value);
-  Eigen::MatrixXd columns(world::reduced_size(*body.value), std::ssize(made.terms));
-  Eigen::Index column = 0;
-  for (const auto& term : made.terms) columns.col(column++) = term.force;
-  return columns;
+      .analysis = scene::Static{1}, .damping = {}, .gravity = {}, .shake = {}, .loads = {load}, .probes = {}};
+  return world::reduce_loads(scene, *body.value).terms.front().force;
 }
 
 py::array_t<double> pressure(const LoadedBody& body, const std::string& set) {
-  return copied(reduced(body, {{.target = set, .kind = scene::Pressure{1}, .table = {}}}).col(0));
+  return copied(reduced(body, {.target = set, .kind = scene::Pressure{1}, .table = {}}));
 }
 
 py::array_t<double> traction(const LoadedBody& body, const std::string& set) {
-  std::vector<scene::Load> loads;
-  for (const scene::Vector3& axis : {scene::Vector3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}})
-    loads.push_back({.target = set, .kind = scene::Traction{axis}, .table = {}});
-  return copied(reduced(body, std::move(loads)));
+  Eigen::MatrixXd columns(world::reduced_size(*body.value), 3);
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    scene::Vector3 axis{};
+    axis[static_cast<std::size_t>(i)] = 1;
+    columns.col(i) = reduced(body, {.target = set, .kind = scene::Traction{axis}, .table = {}});
+  }
+  return copied(columns);
 }
 
 py::array_t<double> gravity(const LoadedBody& body, py::handle given) {

@@ -84,7 +84,7 @@ class Probes(unittest.TestCase):
 
     def test_another_table_is_refused_in_a_sentence(self):
         frequencies = "index,kind,frequency_hz\n" + "1,rigid,0\n" * 9
-        for text, why in ((frequencies, "no table of probes"), ("", "no table of probes"), ("t\n" + "0\n" * 9, "no table"),
+        for text, why in ((frequencies, "not a table of probes"), ("", "not a table of probes"), ("t\n" + "0\n" * 9, "not a table"),
                           ("t,a_ux,a_uy,a_uz\n0,1,2,3\n", "at least 8 rows"),
                           ("t,a_ux,a_uy,a_uz\n" + "0,1,2,3\n" * 9, "nothing moves")):
             with self.assertRaisesRegex(SystemExit, why) as refusal:
