@@ -34,8 +34,9 @@ bool is_own(const std::string& name) {
   if (equals != word.npos && is_own(word.substr(0, equals)))
     throw InputError("there is no option -" + printable(name) + ": write -" + printable(word.substr(0, equals)) + " " +
                      printable(word.substr(equals + 1)) + ", with a blank");
-  const bool of_solver = is_misspelt(word, nearest(word, solver_option_names()));
-  auto guessed = of_solver ? "" : guess(word, option_names(), dashed);
+  const auto own = nearest(word, option_names()), of_solver = nearest(word, solver_option_names());
+  const bool for_solver = is_misspelt(word, of_solver) && edit_distance(word, of_solver) < edit_distance(word, own);
+  auto guessed = for_solver ? "" : guess(word, option_names(), dashed);
   if (guessed.empty() && word.find('_') != word.npos) guessed = guess(word, solver_option_names(), dashed);
   throw InputError("there is no option -" + printable(name) + guessed + " (-help lists them all)");
 }

@@ -179,6 +179,9 @@ void refuses(std::vector<std::string> words, const std::string& first, const std
 
 TEST(Config, RefusesOptionsThatNobodyReads) {
   refuses({"-modees", "5"}, "-modees", "-modes?");
+  refuses({"-options_fiel", "a.opts"}, "-options_fiel", "-options_file?");
+  refuses({"-modes=5"}, "-modes=5", "-modes 5");
+  refuses({"-fix", "xmin", "ymin"}, "'ymin'", "-fix xmin,ymin");
   refuses({"-modes_st_type", "sinvert", "-solver", "iterative"}, "-solver iterative", "-modes_st_");
   refuses({"-modes_eps_tolx", "5"}, "-modes_eps_tolx", "-modes_eps_tol?");
   refuses({"-modes_st_pc_typ", "lu"}, "-modes_st_pc_typ", "-modes_st_pc_type?");
