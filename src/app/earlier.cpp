@@ -20,9 +20,9 @@ struct Wanted {
 /// The options that a basis depends on, as they were given.
 std::string made_with(const Options& options) {
   std::string text;
-  for (const std::string name : {"modes", "modes_tolerance", "basis_modes", "derivatives", "basis", "basis_tolerance",
-                                 "snapshots", "residual_vectors", "accuracy", "accuracy_scene"})
-    if (const auto value = value_of(options, name); !value.empty())
+  for (const std::string name : {"modes", "modes_tolerance", "mesh_error", "basis_modes", "derivatives", "basis",
+                                 "basis_tolerance", "snapshots", "residual_vectors", "accuracy", "accuracy_scene"})
+    if (const auto value = value_of(options, name); !value.empty() && value != "false")
       text += (text.empty() ? "-" : " -") + name + " " + value;
   return text;
 }
@@ -69,6 +69,7 @@ FinishedBasis read_finished(const format::ModelReader& in, const mesh::Mesh& mes
   FinishedBasis basis;
   const auto report = format::read_report(in);
   basis.modes.notes = report.notes;
+  basis.mesh_errors = report.mesh_errors;
   basis.modes.modes = format::read_modes(in).value_or(model::Modes{});
   basis.modes.vectors.resize(dofs.owned, 0);
   basis.modes.strategy = value_of(format::read_provenance(in).options, "solver") == "iterative"

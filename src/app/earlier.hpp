@@ -13,6 +13,7 @@ namespace ritz::app {
 /// A basis as stored in a model, and the figures of the modes from which it was made, whose vectors are not stored.
 struct FinishedBasis {
   stages::ModesResult modes;
+  Eigen::VectorXd mesh_errors;  ///< by mode; empty if none were estimated
   ReducedBasis reduced;
 };
 

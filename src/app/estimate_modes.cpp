@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "ritz/algebra/panel.hpp"
@@ -26,6 +27,9 @@ constexpr double columns_per_column = 20;    ///< vectors in memory for each of 
 constexpr double cycles_per_solve = 28;      ///< of multigrid, with conjugate gradients
 constexpr double products_per_cycle = 10;    ///< with K, for eight columns, in one of these
 constexpr double hierarchy = 0.3;            ///< of what is held before it, in memory
+constexpr double fits = 2e4;                 ///< flops of patch recovery for a quadratic cell and mode
+constexpr double mesh_cycles = 15;           ///< of multigrid, to solve on quadratic cells
+constexpr double mesh_columns = 12 * 16;     ///< vectors there at once, besides one a mode
 constexpr double base_memory = 70e6;         ///< of a rank that holds nothing, bytes
 
 ModesEstimate direct(const Workload& work) {
@@ -85,6 +89,27 @@ Workload workload(const config::Config& config, const stages::Problem& problem, 
 
 ModesEstimate estimate_modes(const Workload& work) {
   return work.modes.strategy == stages::Strategy::iterative ? iterative(work) : direct(work);
+}
+
+Estimate estimate_mesh_error(const Workload& work) {
+  const mesh::Mesh& mesh = work.problem.mesh;
+  const double modes = work.modes.count;
+  double cells = 0, rows = 0, bytes = 0;  // of quadratic cells in place of linear ones, deep inside a body
+  for (int c = 0; c < mesh.cells.owned; ++c, ++cells) {
+    const auto type = mesh.cells.types[static_cast<std::size_t>(c)];
+    const double vertices = type == fem::CellType::hex8 ? 4 : type == fem::CellType::wedge6 ? 2.5 : 1.36;
+    const double neighbours = type == fem::CellType::hex8 ? 58 : type == fem::CellType::wedge6 ? 45 : 28;
+    rows += mesh::components * vertices;
+    bytes += 12 * mesh::components * vertices * neighbours * (mesh::components + 1 + 1. / mesh::components);
+  }
+  for (double* most : {&cells, &rows, &bytes}) *most = parallel::max(mesh.comm, *most);
+  if (cells > 0 && fem::shape(mesh.cells.types[0]).quadratic())
+    return {"mesh error", modes * cells * fits / work.rate, work.held + 8 * work.rows * modes, "recovered strains"};
+  const double product = bytes / work.memory, panels = std::ceil(modes / algebra::panel_width);
+  return {"mesh error", panels * mesh_cycles * products_per_cycle * product,
+          work.held + (1 + hierarchy) * bytes + 8 * rows * (modes + mesh_columns),
+          "one step on quadratic cells, about " + std::to_string(static_cast<long long>(rows * work.ranks)) +
+              " degrees of freedom"};
 }
 
 std::string shown_seconds(double seconds) { return formatted("%.1f s", seconds); }

@@ -157,6 +157,7 @@ std::vector<Estimate> estimate_stages(const Workload& work, const std::optional<
     add_answers(work, modes);
     if (work.config.accuracy) stages.push_back(statics(work, modes));
     stages.push_back(modes.stage);
+    if (work.config.mesh_errors == config::MeshErrors::estimated) stages.push_back(estimate_mesh_error(work));
   }
   if (!work.config.basis) return stages;
   const Points points = points_of(work.problem.mesh);

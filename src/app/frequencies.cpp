@@ -42,7 +42,8 @@ const char* kind_of(const model::Modes& modes, Eigen::Index i) {
 
 }  // namespace
 
-std::string frequencies_csv(const model::Modes& modes, const model::Inertia& inertia) {
+std::string frequencies_csv(const model::Modes& modes, const model::Inertia& inertia,
+                            const Eigen::VectorXd& mesh_errors) {
   const std::string certified(format::name(modes.certificate.kind));
   const Eigen::MatrixXd masses = inertia.effective_masses(), factors = inertia.participation_factors();
   const bool moving = masses.rows() == modes.eigenvalues.size();
@@ -51,6 +52,7 @@ std::string frequencies_csv(const model::Modes& modes, const model::Inertia& ine
     text +=
         ",effective_mass_x,effective_mass_y,effective_mass_z,participation_x,participation_y,participation_z,"
         "participation_about_x,participation_about_y,participation_about_z";
+  if (mesh_errors.size() > 0) text += ",mesh_error";
   text += '\n';
   for (Eigen::Index i = 0; i < modes.eigenvalues.size(); ++i) {
     text += formatted("%td,%s,%.15g,%.15g,%.15g,%s", i + 1, kind_of(modes, i), model::frequency(modes.eigenvalues[i]),
@@ -59,12 +61,13 @@ std::string frequencies_csv(const model::Modes& modes, const model::Inertia& ine
       for (const double mass : masses.row(i)) text += formatted(",%.10g", mass);
       for (const double factor : factors.row(i)) text += formatted(",%.10g", factor);
     }
+    if (mesh_errors.size() > 0) text += formatted(",%.4g", mesh_errors[i]);
     text += '\n';
   }
   return text;
 }
 
-std::string modes_lines(const model::Modes& modes, const model::Inertia& inertia) {
+std::string modes_lines(const model::Modes& modes, const model::Inertia& inertia, const Eigen::VectorXd& mesh_errors) {
   const Eigen::Vector3d centre = inertia.centre_of_mass();
   const Eigen::Matrix3d tensor = inertia.tensor();
   const Eigen::MatrixXd masses = inertia.effective_masses();
@@ -74,12 +77,15 @@ std::string modes_lines(const model::Modes& modes, const model::Inertia& inertia
   text += formatted("moments of inertia about it (xx yy zz xy yz zx): %.5g %.5g %.5g %.5g %.5g %.5g kg m2\n",
                     tensor(0, 0), tensor(1, 1), tensor(2, 2), tensor(0, 1), tensor(1, 2), tensor(2, 0));
   const bool moving = masses.rows() == modes.eigenvalues.size();
-  text += "  mode  kind       frequency Hz    residual";
+  text += "  mode  kind       frequency Hz";
+  if (mesh_errors.size() > 0) text += "          estimated error";
+  text += "    residual";
   text += moving ? "   effective mass x      y      z\n" : "\n";
   const auto shown = std::min(most_rows, modes.eigenvalues.size());
   for (Eigen::Index i = 0; i < shown; ++i) {
-    text += formatted("%6td  %-8s %14.7g  %10.2e", i + 1, kind_of(modes, i), model::frequency(modes.eigenvalues[i]),
-                      modes.residuals[i]);
+    text += formatted("%6td  %-8s %14.7g", i + 1, kind_of(modes, i), model::frequency(modes.eigenvalues[i]));
+    if (mesh_errors.size() > 0) text += formatted("   mesh: about %+8.2g %%", 100 * mesh_errors[i]);
+    text += formatted("  %10.2e", modes.residuals[i]);
     text += moving ? formatted("          %6.2f %% %6.2f %6.2f\n", 100 * masses(i, 0) / mass, 100 * masses(i, 1) / mass,
                                100 * masses(i, 2) / mass)
                    : "\n";

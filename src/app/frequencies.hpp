@@ -9,11 +9,12 @@ namespace ritz::app {
 /// A table with the columns "index,kind,frequency_hz,eigenvalue,residual,certified", one row for each mode, with 15
 /// digits; then the effective masses along x, y and z, kg, and the participation factors along and about these axes,
 /// √kg and √kg m. `inertia` is that over the modes; if it has no columns, because the vectors of the modes are not
-/// available, these are left out.
-std::string frequencies_csv(const model::Modes& modes, const model::Inertia& inertia);
+/// available, these are left out. Last "mesh_error", unless `mesh_errors` is empty: of each mode f_h / f − 1.
+std::string frequencies_csv(const model::Modes& modes, const model::Inertia& inertia,
+                            const Eigen::VectorXd& mesh_errors);
 
 /// The first modes, the certificate and the effective masses, as text, and along which axes the modes hold less than
-/// 90 % of the mass. `inertia` as for frequencies_csv.
-std::string modes_lines(const model::Modes& modes, const model::Inertia& inertia);
+/// 90 % of the mass. `inertia` and `mesh_errors` as for frequencies_csv.
+std::string modes_lines(const model::Modes& modes, const model::Inertia& inertia, const Eigen::VectorXd& mesh_errors);
 
 }  // namespace ritz::app

@@ -21,6 +21,7 @@
 #include "ritz/base/shown.hpp"
 #include "ritz/parallel/guard.hpp"
 #include "ritz/stages/linear_cells.hpp"
+#include "ritz/stages/mesh_error.hpp"
 #include "ritz/stages/projection.hpp"
 #include "ritz/stages/rigid_modes.hpp"
 
@@ -53,6 +54,21 @@ void refuse_forces_without_polynomial(const config::Config& config, const mesh::
                        fem::default_law);
 }
 
+void refuse_unknown_mesh_errors(const config::Config& config, const mesh::Mesh& mesh) {
+  if (config.mesh_errors == config::MeshErrors::unknown) return;
+  if (const auto obstacle = stages::mesh_error_obstacle(mesh); !obstacle.empty())
+    throw InputError("option -mesh_error: " + obstacle + "; leave it out");
+}
+
+/// The estimated error of each mode, or a warning where none is asked for and linear cells are clearly too stiff.
+Eigen::VectorXd mesh_errors(const config::Config& config, const stages::Problem& problem,
+                            const stages::ModesResult& modes, Progress& progress) {
+  if (config.mesh_errors == config::MeshErrors::estimated)
+    return progress.stage("mesh error", [&] { return stages::mesh_errors(problem, modes); });
+  for (const auto& text : stages::linear_cells_warning(problem, modes)) progress.warn(text);
+  return {};
+}
+
 /// The plan, printed and in the summary.
 void foresee(const config::Config& config, const stages::Problem& problem, const stages::ModesOptions& options,
              const Earlier& earlier, const std::optional<Outputs>& outputs, const Progress& progress) {
@@ -79,6 +95,7 @@ void reduce(MPI_Comm comm, const config::Config& config) {
   for (const auto& text : warnings(config, body, numbering, laws)) progress.warn(text);
 
   refuse_an_empty_model(config, body, numbering);
+  refuse_unknown_mesh_errors(config, body);
   refuse_forces_without_polynomial(config, body, laws);
   const auto residual = residual_places(config, body);
   const auto problem = progress.stage(
@@ -98,8 +115,7 @@ void reduce(MPI_Comm comm, const config::Config& config) {
                                 [&](const std::string& what, double fraction) { progress.update(what, fraction); });
   });
   for (const auto& text : modes.notes) progress.warn(text);
-  if (!earlier.basis)
-    for (const auto& text : stages::linear_cells_warning(problem, modes)) progress.warn(text);
+  const auto errors = earlier.basis ? earlier.basis->mesh_errors : mesh_errors(config, problem, modes, progress);
 
   const auto reduced = earlier.basis ? std::move(earlier.basis->reduced)
                                      : reduce_basis(config, problem, modes, static_loads, path, progress);
@@ -117,7 +133,7 @@ void reduce(MPI_Comm comm, const config::Config& config) {
 
   const auto of_modes =
       stages::inertia(mesh, problem.matrices.scalar_mass, mesh::to_vertices(mesh, dofs, modes.vectors));
-  const Results results{modes, u, reduced, polynomial, inertia, loads, of_modes};
+  const Results results{modes, errors, u, reduced, polynomial, inertia, loads, of_modes};
   auto written = progress.stage("write", [&] {
     return WrittenModel(config, problem, file_geometry(mesh, problem.materials, config.rows), results, progress);
   });
@@ -128,8 +144,8 @@ void reduce(MPI_Comm comm, const config::Config& config) {
     if (summary) summary->publish();
     written.publish();
   });
-  progress.line(size_line(extent(mesh, problem.materials), modes.modes) + "\n" + modes_lines(modes.modes, of_modes) +
-                basis_lines(reduced, polynomial, inertia) +
+  progress.line(size_line(extent(mesh, problem.materials), modes.modes) + "\n" +
+                modes_lines(modes.modes, of_modes, errors) + basis_lines(reduced, polynomial, inertia) +
                 static_error_lines(config, reduced.figures.static_errors, residual) + peak_memory_line(comm) + "\n" +
                 outputs->replaced() + "wrote " + config.output.string());
 }

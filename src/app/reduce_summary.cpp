@@ -9,11 +9,15 @@ namespace {
 using files::Json, files::json_list;
 
 /// What ritz-reduce knows of its modes: also who found them.
-Json modes_summary(const stages::ModesResult& result, const model::Inertia& inertia) {
+Json modes_summary(const Results& results) {
+  const stages::ModesResult& result = results.modes;
+  const model::Inertia& inertia = results.of_modes;
   const bool at_hand = inertia.effective_masses().rows() == result.modes.eigenvalues.size();
   auto members = format::summary(result.modes, at_hand ? &inertia : nullptr);
   members.emplace_back("solver", result.strategy == stages::Strategy::direct ? "direct" : "iterative");
   members.emplace_back("iterations", result.iterations);
+  const auto& errors = results.mesh_errors;
+  members.emplace_back("mesh_error", errors.size() > 0 ? Json(json_list(errors)) : nullptr);
   return members;
 }
 
@@ -69,7 +73,7 @@ files::Json::Object model_summary(const config::Config& config, const stages::Pr
                                   const Results& results, const Progress& progress) {
   auto summary = beginning(config, problem, earlier, progress);
   summary.emplace_back("inertia", format::summary(results.inertia));
-  summary.emplace_back("modes", modes_summary(results.modes, results.of_modes));
+  summary.emplace_back("modes", modes_summary(results));
   summary.emplace_back("basis", basis_summary(results.basis, results.inertia));
   summary.emplace_back("derivatives", derivatives_summary(results.basis.figures));
   summary.emplace_back("accuracy", accuracy_summary(results.basis.figures.accuracy));

@@ -70,6 +70,7 @@ model::Report report(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Resul
   model::Report report;
   report.seconds = progress.seconds();
   report.notes = progress.warnings();
+  report.mesh_errors = results.mesh_errors;
   report.figures = {{"vertices", static_cast<double>(mesh.vertices_total)},
                     {"cells", static_cast<double>(mesh.cells_total)},
                     {"degrees_of_freedom", static_cast<double>(dofs.total)},

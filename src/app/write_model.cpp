@@ -73,7 +73,7 @@ WrittenModel::WrittenModel(const config::Config& config, const stages::Problem& 
   format::write_inertia(out, results.inertia);
   format::write_loads(out, results.loads);
   format::write_report(out, report(mesh, dofs, results, progress));
-  files_->table.write(frequencies_csv(results.modes.modes, results.of_modes));
+  files_->table.write(frequencies_csv(results.modes.modes, results.of_modes, results.mesh_errors));
   files_->table.finish();
   out.finish();
 }

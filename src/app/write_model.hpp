@@ -14,7 +14,8 @@ namespace ritz::app {
 /// The results of the pipeline.
 struct Results {
   const stages::ModesResult& modes;
-  const algebra::Tall& u;  ///< the basis over owned vertices
+  const Eigen::VectorXd& mesh_errors;  ///< by mode; empty if they were not asked for
+  const algebra::Tall& u;              ///< the basis over owned vertices
   const ReducedBasis& basis;
   const std::optional<ReducedPolynomial>& polynomial;
   const model::Inertia& inertia;

@@ -190,6 +190,7 @@ Config read_config(MPI_Comm comm, Given given, Program program) {
   config.modes.count = options.integer("modes", 20, 0);
   config.modes.block = options.integer("modes_block", 4, 1, 64);
   config.modes.tolerance = options.real("modes_tolerance", 1e-10, 1e-14, 1e-2);
+  config.mesh_errors = options.flag("mesh_error") ? MeshErrors::estimated : MeshErrors::unknown;
   read_basis(options, config);
   read_accuracy(options, config);
   read_static_loads(options, config);

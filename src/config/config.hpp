@@ -62,6 +62,9 @@ struct ResidualLoads {
 /// Whether the static errors of loads are worked out where that takes long.
 enum class StaticErrors { where_cheap, always };
 
+/// Whether the discretization error of each mode is estimated.
+enum class MeshErrors { unknown, estimated };
+
 /// Whether the nonlinear forces are reduced.
 enum class ReducedForces { none, polynomial };
 
@@ -76,6 +79,7 @@ struct Config {
   std::map<std::string, MaterialOptions> by_region;  ///< takes precedence over `material`
   Solver solver = Solver::automatic;
   stages::ModesOptions modes;
+  MeshErrors mesh_errors = MeshErrors::unknown;
   std::optional<stages::BasisOptions> basis;  ///< absent: U consists of the modes
   std::optional<AccuracyOptions> accuracy;    ///< chooses the size of the basis
   std::optional<std::filesystem::path> snapshots;

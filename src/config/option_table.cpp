@@ -44,6 +44,9 @@ constexpr auto modes_options = std::to_array<OptionEntry>({
     {"modes", "K", "0 ...", "20", "flexible modes wanted; a cluster at K is kept whole, rigid modes are extra"},
     {"modes_block", "P", "1 ... 64", "4", "block size of the Lanczos iteration"},
     {"modes_tolerance", "T", "1e-14 ... 1e-2", "1e-10", "relative residual at which Lanczos stops"},
+    {"mesh_error", "", "", "off",
+     "estimate by how much the mesh makes each frequency too high, printed beside it; linear cells are compared with "
+     "quadratic ones on the same mesh, which costs memory and time like theirs"},
     {"reuse", "FILE.h5", "", "none",
      "take the modes, or the whole basis, from an earlier model of the same mesh, materials and supports"},
 });

@@ -39,6 +39,8 @@ void write_report(ModelWriter& out, const model::Report& report, std::string_vie
   write_table(out, group, schema::stages, schema::seconds, "s", stages, seconds);
   write_table(out, group, schema::figure_names, schema::figure_values, "as the figure's name says", names, values);
   write_texts(out, schema::join(group, schema::notes), report.notes);
+  if (report.mesh_errors.size() > 0)
+    write_vector<double>(out, schema::join(group, schema::mesh_errors), "1", view(report.mesh_errors));
 }
 
 model::Report read_report(const ModelReader& in, std::string_view body) {
@@ -51,6 +53,12 @@ model::Report read_report(const ModelReader& in, std::string_view body) {
   const auto values = read_values(in, schema::join(group, schema::figure_values), names);
   for (std::size_t i = 0; i < names.size(); ++i) report.figures.emplace_back(names[i], values[i]);
   report.notes = read_texts(in, schema::join(group, schema::notes));
+  const auto mesh_errors = schema::join(group, schema::mesh_errors);
+  if (!exists(in, mesh_errors)) return report;
+  require(in.has(schema::modes, body), in, mesh_errors, "is of modes, and there are none");
+  report.mesh_errors = read_column(
+      in, mesh_errors, stored_shape(in, schema::join(schema::body_part(body, schema::modes), schema::eigenvalues)).front());
+  require((report.mesh_errors.array() > -1).all(), in, mesh_errors, "has an error that leaves no frequency");
   return report;
 }
 

@@ -62,8 +62,6 @@ std::vector<int> inside(const Mesh& mesh, const Region3& box, const std::string&
   return inside;
 }
 
-using Mask = std::vector<std::uint8_t>;
-
 void fix(Mask& mask, const std::vector<int>& vertices, const std::array<bool, components>& which) {
   for (const int v : vertices)
     for (std::size_t c = 0; c < components; ++c)
@@ -82,8 +80,8 @@ void fix(const Mesh& mesh, const Fixed& support, Mask& mask) {
 }
 
 /// Numbers owned free components from dofs.first on; then asks the owners of ghosts.
-void number_free(const Mesh& mesh, const Mask& mask, Dofs& dofs) {
-  dofs.numbers.assign(mask.size(), -1);
+void number_owned(const Mesh& mesh, const Mask& mask, Dofs& dofs) {
+  dofs.numbers.assign(components * static_cast<std::size_t>(mesh.local_vertices()), -1);
   Index free = 0;
   for (std::size_t i = 0; i < components * static_cast<std::size_t>(mesh.owned); ++i) free += !mask[i];
   dofs.owned = static_cast<int>(free);
@@ -133,21 +131,25 @@ Dofs number(const Mesh& mesh, const std::vector<Fixed>& supports, FileSupports f
   for (const auto& support : supports) fix(mesh, support, mask);
   if (file_supports == FileSupports::used)
     for (const auto& support : mesh.supports) fix(mask, support.vertices, support.held);
+  Dofs dofs = number_free(mesh, mask);
+  if (dofs.total == 0) refuse_all_fixed(supports);
+  return dofs;
+}
 
+Dofs number_free(const Mesh& mesh, const Mask& fixed) {
   Dofs dofs;
   dofs.comm = mesh.comm;
-  number_free(mesh, mask, dofs);
-  if (dofs.total == 0) refuse_all_fixed(supports);
+  number_owned(mesh, fixed, dofs);
   algebra::refuse_beyond_index("the mesh has " + std::to_string(dofs.total) + " degrees of freedom", dofs.total);
   number_ghosts(mesh, dofs);
 
   std::int32_t partly = 0;
   std::uint64_t sum = 0;
   for (std::size_t v = 0; v < static_cast<std::size_t>(mesh.owned); ++v) {
-    const int fixed = mask[3 * v] + 2 * mask[3 * v + 1] + 4 * mask[3 * v + 2];
-    partly |= fixed != 0 && fixed != 7;
-    if (fixed)
-      sum += split_mix(static_cast<std::uint64_t>(mesh.file_positions[v]) * 8 + static_cast<std::uint64_t>(fixed));
+    const int held = fixed[3 * v] + 2 * fixed[3 * v + 1] + 4 * fixed[3 * v + 2];
+    partly |= held != 0 && held != 7;
+    if (held)
+      sum += split_mix(static_cast<std::uint64_t>(mesh.file_positions[v]) * 8 + static_cast<std::uint64_t>(held));
   }
   dofs.block = parallel::max(mesh.comm, partly) ? 1 : components;
   dofs.checksum = parallel::sum(mesh.comm, sum);

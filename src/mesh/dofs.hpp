@@ -1,6 +1,7 @@
 // Degrees of freedom: the three displacement components of each vertex, without those that supports fix.
 #pragma once
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <variant>
@@ -41,6 +42,13 @@ struct Dofs {
 /// (naming the nearest one) or whose name is ambiguous, for a box without vertices, and when no degree of freedom is
 /// free.
 Dofs number(const Mesh& mesh, const std::vector<Fixed>& supports, FileSupports file_supports);
+
+/// Whether a component is fixed: three entries for each vertex, owned ones first; only
+/// theirs are read.
+using Mask = std::vector<std::uint8_t>;
+
+/// *Collective*. Numbers the degrees of freedom that `fixed` leaves free, of which there may be none.
+Dofs number_free(const Mesh& mesh, const Mask& fixed);
 
 /// From rows of free degrees of freedom to rows of owned vertices, three for each vertex, with zeros at fixed
 /// components.

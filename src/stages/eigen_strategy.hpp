@@ -27,7 +27,7 @@ Found find_by_krylov_schur(const EigenProblem& problem, int wanted);
 Found find_iteratively(const EigenProblem& problem, int wanted, const algebra::Tall& known,
                        const ModesProgress& progress);
 
-/// *Collective*. A multigrid cycle for K − σM with the safe shift.
+/// *Collective*. A multigrid cycle for K − σM with the safe shift σ.
 Inverse multigrid_inverse(const EigenProblem& problem);
 
 /// The block size of the iterative strategy for so many wanted pairs.

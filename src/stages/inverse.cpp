@@ -11,7 +11,6 @@
 namespace ritz::stages {
 namespace {
 
-constexpr double tolerance = 1e-11;
 constexpr int most_iterations = 500;
 
 Eigen::ArrayXd dots(MPI_Comm comm, const algebra::Tall& a, const algebra::Tall& b) {
@@ -33,7 +32,7 @@ Eigen::ArrayXd quotient(const Eigen::ArrayXd& a, const Eigen::ArrayXd& b) { retu
 }  // namespace
 
 Solved solve(const Matrices& matrices, const Inverse& inverse, const algebra::Tall& rigid, double norm_K,
-             const algebra::ConstTallRef& b) {
+             const algebra::ConstTallRef& b, double tolerance) {
   const MPI_Comm comm = algebra::comm_of(matrices.stiffness);
   const algebra::Tall massive = algebra::multiply(matrices.mass, rigid);
   algebra::Tall r = b, z(b.rows(), b.cols());

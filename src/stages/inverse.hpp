@@ -20,9 +20,9 @@ struct Solved {
 
 /// *Collective*. x = K⁻¹ b; if the body can move rigidly, K x = (I − M R Rᵀ) b with RᵀMx = 0, where R are the
 /// M-orthonormal `rigid` modes. Conjugate gradients on all columns at once, preconditioned with `inverse` (an exact one
-/// ends them in one iteration), until ‖Kx − b‖ ≤ max(1e-11 ‖b‖, 10 ε ‖K‖₁‖x‖). Throws a NumericalError that names the
-/// residual.
+/// ends them in one iteration), until ‖Kx − b‖ ≤ max(tolerance ‖b‖, 10 ε ‖K‖₁‖x‖). Throws a NumericalError that names
+/// the residual.
 Solved solve(const Matrices& matrices, const Inverse& inverse, const algebra::Tall& rigid, double norm_K,
-             const algebra::ConstTallRef& b);
+             const algebra::ConstTallRef& b, double tolerance = 1e-11);
 
 }  // namespace ritz::stages

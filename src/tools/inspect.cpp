@@ -47,6 +47,9 @@ void describe_report(const format::ModelReader& in, const std::string& body, std
     out << "  " << padded(printable(stage), 38) << ' ' << duration(seconds) << '\n';
   for (const auto& [name, value] : report.figures)
     out << "  " << padded(printable(name), 38) << ' ' << formatted("%.10g\n", value);
+  for (Eigen::Index i = 0; i < report.mesh_errors.size(); ++i)
+    out << "  " << padded("mesh error of mode " + std::to_string(i + 1), 38) << ' '
+        << formatted("%+.2g %%\n", 100 * report.mesh_errors[i]);
   for (const auto& note : report.notes) out << "  note: " << printable(note) << '\n';
 }
 

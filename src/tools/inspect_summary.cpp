@@ -71,8 +71,11 @@ Json loads(const std::vector<model::SetLoad>& loads) {
 Json report(const model::Report& report) {
   Json::Object figures;
   for (const auto& [name, value] : report.figures) figures.emplace_back(name, value);
-  return Json::Object{
-      {"stages", format::summary(report.seconds)}, {"figures", std::move(figures)}, {"notes", json_list(report.notes)}};
+  const auto& errors = report.mesh_errors;
+  return Json::Object{{"stages", format::summary(report.seconds)},
+                      {"figures", std::move(figures)},
+                      {"mesh_error", errors.size() > 0 ? Json(json_list(errors)) : nullptr},
+                      {"notes", json_list(report.notes)}};
 }
 
 template <class Part>

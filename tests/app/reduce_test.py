@@ -1,4 +1,5 @@
 """ritz-reduce as a program: what it prints, what it writes, what it takes over from an earlier run."""
+import json
 import math
 import os
 import pty
@@ -62,6 +63,44 @@ class Fork(InAFolder):
         opposing = (apart[0] > 10 * np.abs(right + left).max(axis=0)) & (apart[0] > 10 * apart[1:].max(axis=0))
         frequencies = [float(row["frequency_hz"]) for row in self.frequencies()]
         self.assertAlmostEqual(frequencies[np.flatnonzero(opposing)[0]], 440, delta=.005 * 440)
+
+
+class MeshError(InAFolder):
+    def errors(self, name):
+        return [float(row["mesh_error"]) for row in self.frequencies(f"{name}.frequencies.csv")]
+
+    def test_is_the_same_in_all_outputs_and_on_any_number_of_ranks(self):
+        for cell in ("tet4", "tet10"):
+            mesh = ["-mesh", f"box:1,.4,.3/4,2,2/{cell}", "-fix", "none", "-mesh_error"]
+            one = self.reduce(*BOX, *mesh, "-output", "one.h5", "-summary", "one.json", ranks=1)
+            self.reduce(*BOX, *mesh, "-output", "two.h5", ranks=2)
+            errors = self.errors("one")
+            self.assertEqual(errors[:6], [0] * 6)
+            self.assertTrue(all(error > 1e-4 for error in errors[6:]), errors)
+            self.assertNotIn("linear cells", one.err)
+            printed = [float(value) / 100 for value in re.findall(r"mesh: about *([-+.\de]+) %", one.out)]
+            np.testing.assert_allclose(printed, errors, rtol=.051)
+            np.testing.assert_allclose(self.file("one.h5")["report/mesh_errors"][:], errors, rtol=1e-3)
+            summary = json.loads((self.folder / "one.json").read_text())["modes"]["mesh_error"]
+            np.testing.assert_allclose(summary, errors, rtol=1e-3)
+            np.testing.assert_allclose(self.errors("two"), errors, rtol=1e-3)
+            self.assertIn("mesh error of mode 7", self.inspect("one.h5").out)
+
+    def test_is_reused_with_a_basis(self):
+        basis = [*CLAMPED, "-mesh_error", "-derivatives", "2", "-basis", "6"]
+        self.reduce(*basis, "-output", "one.h5")
+        self.assertIn("reusing the basis", self.reduce(*basis, "-reuse", "one.h5", "-output", "two.h5").out)
+        self.assertEqual(self.errors("two"), self.errors("one"))
+
+    def test_is_absent_unless_asked_for(self):
+        self.reduce(*CLAMPED)
+        self.assertNotIn("mesh_error", self.frequencies()[0])
+        self.assertNotIn("mesh_errors", self.file("model.h5")["report"])
+
+    def test_is_refused_of_cells_of_which_it_knows_nothing(self):
+        err = self.reduce(*BOX, "-mesh", "box:1,.4,.3/4,2,2/hex20", "-mesh_error", code=2).err
+        self.assertRegex(err, "option -mesh_error: .* hex20; leave it out")
+        self.assertEqual(self.files(), set())
 
 
 class Files(InAFolder):
@@ -243,6 +282,11 @@ class Voice(InAFolder):
         self.assertEqual(list(stages), [*linear[:3], "basis", "polynomial", "check", *linear[3:]])
         self.assertNotIn("kept", stages["modes"])
         self.assertIn("mass-PCA of 2 vectors", stages["basis"])
+
+    def test_plan_has_the_error_of_the_mesh(self):
+        stages, _ = self.plan("-mesh_error")
+        self.assertEqual(list(stages), ["mesh", "assemble", "modes", "mesh error", "write", "in all"])
+        self.assertIn("one step on quadratic cells", stages["mesh error"])
 
     def test_plan_of_a_search_for_an_accurate_basis(self):
         self.write("s.toml", '[static]\nsteps = 1\n[[load]]\nset = "xmax"\ntotal = [0, 0, -1]\n')

@@ -100,6 +100,7 @@ inline void expect_same(const model::Report& a, const model::Report& b) {
   }
   EXPECT_EQ(a.figures, b.figures);
   EXPECT_EQ(a.notes, b.notes);
+  EXPECT_EQ(a.mesh_errors, b.mesh_errors);
 }
 
 inline void expect_same(const model::Body& a, const model::Body& b) {

@@ -23,7 +23,7 @@ model::Model two_body_model() {
   arm.name = "arm/upper";
   arm.checksums = {"00000000000000aa", "00000000000000bb"};
   arm.geometry.points.col(0).array() += 5;
-  arm.report = {{{"assemble", 2}}, {{"vertices", 4}}, {"the arm's springs harden"}};
+  arm.report = {{{"assemble", 2}}, {{"vertices", 4}}, {"the arm's springs harden"}, {}};
   return m;
 }
 

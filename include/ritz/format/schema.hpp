@@ -105,6 +105,7 @@ inline constexpr auto seconds = "seconds";
 inline constexpr auto figure_names = "figure_names";
 inline constexpr auto figure_values = "figure_values";
 inline constexpr auto notes = "notes";
+inline constexpr auto mesh_errors = "mesh_errors";
 
 // Motion files and last states.
 namespace motion {

@@ -156,6 +156,7 @@ struct Report {
   std::vector<StageTime> seconds;
   std::vector<std::pair<std::string, double>> figures;  ///< iterations, peak memory, counts, by name
   std::vector<std::string> notes;                       ///< the warnings that were printed
+  Eigen::VectorXd mesh_errors;                          ///< of each mode f_h / f − 1, estimated; empty if none were
 };
 
 /// A reduced body: everything that its motion is computed from, and how it was made.
