@@ -5,6 +5,7 @@
 #include "ritz/algebra/panel.hpp"
 #include "ritz/algebra/speed.hpp"
 #include "ritz/app/estimate.hpp"
+#include "ritz/app/plan.hpp"
 #include "ritz/base/shown.hpp"
 #include "ritz/files/summary.hpp"
 #include "ritz/parallel/comm.hpp"
@@ -28,6 +29,7 @@ constexpr double cycles_per_solve = 28;      ///< of multigrid, with conjugate g
 constexpr double products_per_cycle = 10;    ///< with K, for eight columns, in one of these
 constexpr double hierarchy = 0.3;            ///< of what is held before it, in memory
 constexpr double fits = 2e4;                 ///< flops of patch recovery for a quadratic cell and mode
+constexpr double flops_of_factor = 2.5e11;   ///< of a solid of 1e5 degrees of freedom
 constexpr double mesh_cycles = 15;           ///< of multigrid, to solve on quadratic cells
 constexpr double mesh_columns = 12 * 16;     ///< vectors there at once, besides one a mode
 constexpr double base_memory = 70e6;         ///< of a rank that holds nothing, bytes
@@ -105,11 +107,21 @@ Estimate estimate_mesh_error(const Workload& work) {
   for (double* most : {&cells, &rows, &bytes}) *most = parallel::max(mesh.comm, *most);
   if (cells > 0 && fem::shape(mesh.cells.types[0]).quadratic())
     return {"mesh error", modes * cells * fits / work.rate, work.held + 8 * work.rows * modes, "recovered strains"};
+  mesh::Dofs quadratic;
+  quadratic.comm = mesh.comm;
+  quadratic.total = static_cast<mesh::Index>(rows * work.ranks);
+  const double vectors = 8 * rows * (modes + mesh_columns);
+  const std::string how =
+      ", one step on quadratic cells of about " + std::to_string(quadratic.total) + " degrees of freedom";
+  if (choose_strategy(work.config, quadratic).strategy == stages::Strategy::direct) {
+    const double size = static_cast<double>(quadratic.total) / 1e5;
+    return {"mesh error", flops_of_factor * size * size / (factor_efficiency * work.rate * work.speed),
+            work.held + bytes + rough_factor_bytes(static_cast<double>(quadratic.total)) / work.ranks + vectors,
+            "a factorization" + how};
+  }
   const double product = bytes / work.memory, panels = std::ceil(modes / algebra::panel_width);
   return {"mesh error", panels * mesh_cycles * products_per_cycle * product,
-          work.held + (1 + hierarchy) * bytes + 8 * rows * (modes + mesh_columns),
-          "one step on quadratic cells, about " + std::to_string(static_cast<long long>(rows * work.ranks)) +
-              " degrees of freedom"};
+          work.held + (1 + hierarchy) * bytes + vectors, "multigrid" + how};
 }
 
 std::string shown_seconds(double seconds) { return formatted("%.1f s", seconds); }

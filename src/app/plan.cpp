@@ -12,17 +12,13 @@ namespace {
 
 constexpr double memory_share = 0.8;  ///< of the free memory that the direct strategy may take
 
-/// The factors of a solid of N degrees of freedom that are held at once, bytes over all ranks, without an analysis:
-/// fill grows like N^1.41.
-double rough_factor_bytes(double N, stages::InverseUse use) {
-  return (use == stages::InverseUse::kept ? 2 : 1) * 0.8e9 * std::pow(N / 1e5, 1.41);
-}
-
 std::string row(const std::string& stage, double seconds, const std::string& what) {
   return formatted("  %-12s %8.1f s   %s", stage.c_str(), seconds, what.c_str());
 }
 
 }  // namespace
+
+double rough_factor_bytes(double N) { return 0.8e9 * std::pow(N / 1e5, 1.41); }
 
 stages::ModesOptions choose_strategy(const config::Config& config, const mesh::Dofs& dofs) {
   stages::ModesOptions options = config.modes;
@@ -30,7 +26,8 @@ stages::ModesOptions choose_strategy(const config::Config& config, const mesh::D
       config.solver == config::Solver::iterative ? stages::Strategy::iterative : stages::Strategy::direct;
   if (config.solver != config::Solver::automatic) return options;
   const double room = memory_share * free_memory_per_rank(dofs.comm) * parallel::size(dofs.comm);
-  if (rough_factor_bytes(static_cast<double>(dofs.total), options.inverse) > room)
+  const double factors = options.inverse == stages::InverseUse::kept ? 2 : 1;
+  if (factors * rough_factor_bytes(static_cast<double>(dofs.total)) > room)
     options.strategy = stages::Strategy::iterative;
   return options;
 }

@@ -12,6 +12,9 @@
 
 namespace ritz::app {
 
+/// The factor of a solid of N degrees of freedom, bytes over all ranks, without an analysis: fill grows like N^1.41.
+double rough_factor_bytes(double N);
+
 /// *Collective*. The options of the modes, with a strategy: the one of -solver, or (auto) the direct one unless the
 /// factors that are held at the same time are estimated not to fit into the free memory.
 stages::ModesOptions choose_strategy(const config::Config& config, const mesh::Dofs& dofs);

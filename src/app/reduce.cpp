@@ -64,7 +64,10 @@ void refuse_unknown_mesh_errors(const config::Config& config, const mesh::Mesh& 
 Eigen::VectorXd mesh_errors(const config::Config& config, const stages::Problem& problem,
                             const stages::ModesResult& modes, Progress& progress) {
   if (config.mesh_errors == config::MeshErrors::estimated)
-    return progress.stage("mesh error", [&] { return stages::mesh_errors(problem, modes); });
+    return progress.stage("mesh error", [&] {
+      return stages::mesh_errors(problem, modes,
+                                 [&](const mesh::Dofs& dofs) { return choose_strategy(config, dofs).strategy; });
+    });
   for (const auto& text : stages::linear_cells_warning(problem, modes)) progress.warn(text);
   return {};
 }

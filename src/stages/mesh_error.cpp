@@ -1,6 +1,7 @@
 #include "ritz/stages/mesh_error.hpp"
 
 #include <algorithm>
+#include <memory>
 
 #include "ritz/algebra/matrix.hpp"
 #include "ritz/mesh/p_refinement.hpp"
@@ -49,8 +50,15 @@ algebra::Tall beside(const algebra::ConstTallRef& a, const algebra::ConstTallRef
   return both;
 }
 
+Inverse factored_inverse(const EigenProblem& problem) {
+  const auto& [K, M, scalar_mass] = problem.body.matrices;
+  const auto solver = std::make_shared<algebra::Factorization>(problem.body.mesh.comm, "solve_");
+  solver->factor(K, M, safe_shift(problem));
+  return [solver](const algebra::ConstTallRef& b, algebra::TallRef x) { solver->solve(b, x); };
+}
+
 /// λ₂ of the flexible modes.
-Eigen::VectorXd on_quadratic_cells(const Problem& problem, const ModesResult& modes) {
+Eigen::VectorXd on_quadratic_cells(const Problem& problem, const ModesResult& modes, const StrategyFor& strategy) {
   auto refinement = mesh::p_refine(problem.mesh, problem.dofs);
   const auto ends = std::move(refinement.ends);
   const Problem fine = assemble(std::move(refinement.mesh), std::move(refinement.dofs), problem.materials);
@@ -63,7 +71,9 @@ Eigen::VectorXd on_quadratic_cells(const Problem& problem, const ModesResult& mo
   algebra::Tall rigid = taken(rigid_modes(modes));
   algebra::orthonormalise(M, algebra::Tall(rigid.rows(), 0), rigid);
   const double norm_K = algebra::one_norm(K);
-  const Inverse inverse = multigrid_inverse({fine, rigid, norm_K});
+  const EigenProblem eigen{fine, rigid, norm_K};
+  const bool direct = strategy(fine.dofs) == Strategy::direct;
+  const Inverse inverse = direct ? factored_inverse(eigen) : multigrid_inverse(eigen);
 
   const auto flexible = flexible_modes(modes);
   Eigen::VectorXd values(flexible.cols());
@@ -93,7 +103,7 @@ std::string mesh_error_obstacle(const mesh::Mesh& mesh) {
          names;
 }
 
-Eigen::VectorXd mesh_errors(const Problem& problem, const ModesResult& modes) {
+Eigen::VectorXd mesh_errors(const Problem& problem, const ModesResult& modes, const StrategyFor& strategy) {
   const Index flexible = flexible_modes(modes).cols(), rigid = modes.vectors.cols() - flexible;
   Eigen::VectorXd errors = Eigen::VectorXd::Zero(rigid + flexible);
   if (flexible == 0) return errors;
@@ -103,7 +113,7 @@ Eigen::VectorXd mesh_errors(const Problem& problem, const ModesResult& modes) {
     const auto u = mesh::to_vertices(problem.mesh, problem.dofs, flexible_modes(modes));
     exact = lambda - unseen * lacking_energies(problem, u).array();
   } else {
-    exact = on_quadratic_cells(problem, modes).array();
+    exact = on_quadratic_cells(problem, modes, strategy).array();
   }
   errors.tail(flexible) = (lambda / exact.max(least_share * lambda)).sqrt() - 1;
   return errors;

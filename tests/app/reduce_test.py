@@ -286,7 +286,7 @@ class Voice(InAFolder):
     def test_plan_has_the_error_of_the_mesh(self):
         stages, _ = self.plan("-mesh_error")
         self.assertEqual(list(stages), ["mesh", "assemble", "modes", "mesh error", "write", "in all"])
-        self.assertIn("one step on quadratic cells", stages["mesh error"])
+        self.assertIn("a factorization, one step on quadratic cells", stages["mesh error"])
 
     def test_plan_of_a_search_for_an_accurate_basis(self):
         self.write("s.toml", '[static]\nsteps = 1\n[[load]]\nset = "xmax"\ntotal = [0, 0, -1]\n')
