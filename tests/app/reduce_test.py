@@ -281,7 +281,7 @@ class Voice(InAFolder):
         stages, _ = self.plan("-polynomial", "-basis_modes", "1,3")
         self.assertEqual(list(stages), [*linear[:3], "basis", "polynomial", "check", *linear[3:]])
         self.assertNotIn("kept", stages["modes"])
-        self.assertIn("mass-PCA of 2 vectors", stages["basis"])
+        self.assertIn("principal directions of 2 vectors", stages["basis"])
 
     def test_plan_has_the_error_of_the_mesh(self):
         stages, _ = self.plan("-mesh_error")
