@@ -103,6 +103,28 @@ void sixteen_instances(benchmark::State& state) {
 }
 BENCHMARK(sixteen_instances)->Arg(20)->Arg(30)->Arg(40);
 
+/// A step, and what it is made of, each timed alone.
+struct StepTimes {
+  Outcome outcome;
+  Fastest whole, evaluating, factoring;
+};
+
+StepTimes time_step(benchmark::State& state, const Model<double>& model, Workspace<double>& workspace,
+                    const State<double>& start, const Eigen::VectorXd& load, double dt) {
+  StepTimes times;
+  auto moving = start;
+  auto at = make_evaluation(model.force);
+  auto factors = make_factors<double>(load.size());
+  const Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(load.size(), load.size()) * 400;
+  for (auto _ : state) {
+    moving = start;
+    times.whole.turn(1, [&] { times.outcome = step<double>(model, moving, {load, load}, dt, workspace); });
+    times.evaluating.turn(1, [&] { evaluate<double>(model.force, moving.z(), at); });
+    times.factoring.turn(1, [&] { factor(matrix, factors); });
+  }
+  return times;
+}
+
 /// A step of implicit Euler against the evaluations and factorizations that it made, measured by themselves.
 void implicit_step(benchmark::State& state) {
   const Eigen::Index r = state.range(0);
@@ -112,20 +134,9 @@ void implicit_step(benchmark::State& state) {
   const auto method = implicit_euler();
   const double dt = 0.05;
   auto workspace = make_workspace<double>(model, method, dt);
-  auto at = make_evaluation(model.force);
-  auto factors = make_factors<double>(r);
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(r), load = Eigen::VectorXd::Ones(r);
   const auto start = make_state<double>(model, method, rest, rest, load);
-  auto moving = start;
-  Outcome outcome;
-  Fastest whole, evaluating, factoring;
-  const Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(r, r) * 400;
-  for (auto _ : state) {
-    moving = start;
-    whole.turn(1, [&] { outcome = step<double>(model, moving, {load, load}, dt, workspace); });
-    evaluating.turn(1, [&] { evaluate<double>(model.force, moving.z(), at); });
-    factoring.turn(1, [&] { factor(matrix, factors); });
-  }
+  const auto [outcome, whole, evaluating, factoring] = time_step(state, model, workspace, start, load, dt);
   const double parts = outcome.evaluations * evaluating.microseconds + outcome.iterations * factoring.microseconds;
   state.counters["us"] = whole.microseconds;
   state.counters["iterations"] = outcome.iterations;
@@ -145,21 +156,10 @@ void linearly_implicit_step(benchmark::State& state) {
   const auto method = linearly_implicit();
   const double dt = 0.05;
   auto workspace = make_workspace<double>(model, method, dt);
-  auto at = make_evaluation(model.force);
-  auto factors = make_factors<double>(r);
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(r), load = Eigen::VectorXd::Constant(r, 1e-2);
-  auto moving = make_state<double>(model, method, rest, rest, load);
-  for (int n = 0; n < 10; ++n) step<double>(model, moving, {load, load}, dt, workspace);
-  const auto start = moving;
-  Outcome outcome;
-  Fastest whole, evaluating, factoring;
-  const Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(r, r) * 400;
-  for (auto _ : state) {
-    moving = start;
-    whole.turn(1, [&] { outcome = step<double>(model, moving, {load, load}, dt, workspace); });
-    evaluating.turn(1, [&] { evaluate<double>(model.force, moving.z(), at); });
-    factoring.turn(1, [&] { factor(matrix, factors); });
-  }
+  auto start = make_state<double>(model, method, rest, rest, load);
+  for (int n = 0; n < 10; ++n) step<double>(model, start, {load, load}, dt, workspace);
+  const auto [outcome, whole, evaluating, factoring] = time_step(state, model, workspace, start, load, dt);
   state.counters["us"] = whole.microseconds;
   state.counters["evaluations"] = outcome.evaluations;
   state.counters["ratio"] = whole.microseconds / (evaluating.microseconds + factoring.microseconds);

@@ -52,8 +52,8 @@ ModesEstimate estimate_modes(const Workload& work);
 Estimate estimate_mesh_error(const Workload& work);
 
 /// *Collective*. The stages that the options ask for, in the order in which they run: full statics, modes, mesh error,
-/// basis, polynomial, witness; without those that an earlier model provides. Throws InputError for snapshots that do not fit
-/// the mesh.
+/// basis, polynomial, witness; without those that an earlier model provides. Throws InputError for snapshots that do
+/// not fit the mesh.
 std::vector<Estimate> estimate_stages(const Workload& work, const std::optional<FinishedBasis>& earlier);
 
 /// "1.5 s".

@@ -1,7 +1,6 @@
 #include "ritz/config/config.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <sstream>
 
 #include "ritz/base/error.hpp"
@@ -44,17 +43,15 @@ std::map<std::string, MaterialOptions> read_regions(Database& options, const Giv
   return regions;
 }
 
-/// "*Tie, rigid body": words in capitals, without blanks and stars.
+/// "*Tie, rigid body".
 mesh::Ignored read_ignored(Database& options) {
   mesh::Ignored ignored;
   const auto text = options.text("ignore");
   if (!text) return ignored;
   std::istringstream words(*text);
   for (std::string word; std::getline(words, word, ',');) {
-    std::erase_if(word, [](char c) { return c == ' ' || c == '*'; });
-    for (char& c : word) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-    if (word.empty()) throw InputError("option -ignore " + *text + ": there is an empty word in the list");
-    ignored.push_back(word);
+    ignored.push_back(mesh::ignored_word(word));
+    if (ignored.back().empty()) throw InputError("option -ignore " + *text + ": there is an empty word in the list");
   }
   return ignored;
 }

@@ -93,15 +93,12 @@ std::string range(const fem::Parameter& p) {
 }
 
 void check(const fem::Material& material, const std::string& region) {
-  auto all = fem::parameters(material.law);
-  all.push_back({density_of_mass, material.density});
-  for (const auto& given : all)
-    if (!given.possible())
-      throw InputError("the " + std::string(given.parameter.words) + " of region '" + region + "' is " +
-                       shown(given.value) + "; it must be " + range(given.parameter));
-  if (const auto found = fem::unstable_at_rest(material.law))
-    throw InputError("the constants of region '" + region + "' cannot be: the " + found->parameter.words + " is " +
-                     shown(found->value) + "; it must be " + range(found->parameter));
+  auto wrong = fem::impossible(material.law);
+  const fem::ParameterValue density{density_of_mass, material.density};
+  if (!wrong && !density.possible()) wrong = density;
+  if (wrong)
+    throw InputError("the " + std::string(wrong->parameter.words) + " of region '" + region + "' is " +
+                     shown(wrong->value) + "; it must be " + range(wrong->parameter));
 }
 
 /// A member of the options of materials, and the word that ends its name.

@@ -130,9 +130,8 @@ std::string laws_note() {
     if (constants) text += " " + std::string(*constants);
   }
   return "Laws of -material_young and -material_poisson: " + simple + ". Laws of -material_constants: " + listed +
-         ". There C, mu, E and G are in Pa, D in 1/Pa, alpha, lambda_m and nu without units, and the energy of a "
-         "change of "
-         "volume is (J-1)^2/D.";
+         ". There C, mu, E and G are in Pa, D in 1/Pa, alpha, lambda_m and nu without units, and the energy of "
+         "a change of volume is (J-1)^2/D.";
 }
 
 std::string factorization_note() {

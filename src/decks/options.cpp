@@ -3,18 +3,16 @@
 #include <CLI/CLI.hpp>
 
 #include "ritz/base/error.hpp"
-#include "ritz/readers/source.hpp"
+#include "ritz/readers/file_mesh.hpp"
 #include "ritz/tools/command_line.hpp"
 
 namespace ritz::decks {
 namespace {
 
-/// As the readers have them: "*Rigid body" -> "RIGIDBODY".
 readers::Ignored words(const std::vector<std::string>& given) {
   readers::Ignored words;
   for (const auto& text : given) {
-    words.push_back(readers::upper(text));
-    std::erase_if(words.back(), [](char c) { return c == ' ' || c == '*'; });
+    words.push_back(readers::ignored_word(text));
     if (words.back().empty()) throw InputError("option --ignore: there is an empty word in the list");
   }
   return words;

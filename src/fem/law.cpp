@@ -14,22 +14,29 @@ RITZ_INLINE void load(const double* matrix, Column (&columns)[3]) {
   for (int j = 0; j < 3; ++j) columns[j] = Column{matrix[3 * j], matrix[3 * j + 1], matrix[3 * j + 2], 0};
 }
 
-RITZ_WIDE void set_products(const double* B, double a, double b, double* moduli) {
+/// Calls put(place, value) with the columns a B_ij B_kl + b B_il B_kj.
+template <class Put>
+RITZ_INLINE void each_product(const double* B, double a, double b, Column* to, Put put) {
   Column columns[3];
   load(B, columns);
-  Column* to = packs(moduli);
   for (int l = 0; l < 3; ++l)
     for (int k = 0; k < 3; ++k)
-      for (int j = 0; j < 3; ++j) *to++ = a * B[k + 3 * l] * columns[j] + b * B[k + 3 * j] * columns[l];
+      for (int j = 0; j < 3; ++j) put(*to++, a * B[k + 3 * l] * columns[j] + b * B[k + 3 * j] * columns[l]);
+}
+
+struct Set {
+  RITZ_INLINE void operator()(Column& place, const Column& value) const { place = value; }
+};
+struct Add {
+  RITZ_INLINE void operator()(Column& place, const Column& value) const { place += value; }
+};
+
+RITZ_WIDE void set_products(const double* B, double a, double b, double* moduli) {
+  each_product(B, a, b, packs(moduli), Set());
 }
 
 RITZ_WIDE void add_dyad_and_crossed(const double* B, double a, double b, double* moduli) {
-  Column columns[3];
-  load(B, columns);
-  Column* to = packs(moduli);
-  for (int l = 0; l < 3; ++l)
-    for (int k = 0; k < 3; ++k)
-      for (int j = 0; j < 3; ++j) *to++ += a * B[k + 3 * l] * columns[j] + b * B[k + 3 * j] * columns[l];
+  each_product(B, a, b, packs(moduli), Add());
 }
 
 RITZ_WIDE void add_both_dyads(const double* X, const double* Y, double a, double* moduli) {

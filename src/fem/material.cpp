@@ -131,6 +131,12 @@ std::optional<ParameterValue> unstable_at_rest(const AnyLaw& law) {
   return std::nullopt;
 }
 
+std::optional<ParameterValue> impossible(const AnyLaw& law) {
+  for (const auto& given : parameters(law))
+    if (!given.possible()) return given;
+  return unstable_at_rest(law);
+}
+
 AnyLaw to_si(const AnyLaw& law, double pressure) {
   const auto values = parameters(law);
   std::size_t next = 0;

@@ -56,8 +56,9 @@ model::Report read_report(const ModelReader& in, std::string_view body) {
   const auto mesh_errors = schema::join(group, schema::mesh_errors);
   if (!exists(in, mesh_errors)) return report;
   require(in.has(schema::modes, body), in, mesh_errors, "is of modes, and there are none");
-  report.mesh_errors = read_column(
-      in, mesh_errors, stored_shape(in, schema::join(schema::body_part(body, schema::modes), schema::eigenvalues)).front());
+  report.mesh_errors =
+      read_column(in, mesh_errors,
+                  stored_shape(in, schema::join(schema::body_part(body, schema::modes), schema::eigenvalues)).front());
   require((report.mesh_errors.array() > -1).all(), in, mesh_errors, "has an error that leaves no frequency");
   return report;
 }

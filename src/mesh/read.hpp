@@ -14,6 +14,7 @@
 
 namespace ritz::mesh {
 
+using readers::ignored_word;
 using readers::parse_units;
 using readers::Units;
 

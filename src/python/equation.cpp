@@ -78,7 +78,8 @@ py::array_t<double> equilibrium(const Equation& equation, py::handle given, int 
 
 tools::RunBody subject(const Equation& equation, const std::variant<scene::Time, scene::Static>& analysis) {
   const scene::Scene scene{.analysis = analysis, .damping = {}, .gravity = {}, .shake = {}, .loads = {}, .probes = {}};
-  return {.name = {}, .model_file = equation.body.file, .scene = scene, .model = equation.body.value, .coordinates = {}};
+  return {
+      .name = {}, .model_file = equation.body.file, .scene = scene, .model = equation.body.value, .coordinates = {}};
 }
 
 void define_equation(py::module_& module) {

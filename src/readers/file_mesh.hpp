@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ritz/fem/cell.hpp"
@@ -80,6 +81,10 @@ struct FileMesh {
 /// What the user asks to ignore (-ignore): keywords, element types and sections of a file that change the physics and
 /// that ritz does not support. In capitals and without blanks.
 using Ignored = std::vector<std::string>;
+
+/// The form in which words to be ignored are compared, "*Rigid body" -> "RIGIDBODY": in capitals, without blanks and
+/// stars. Empty if nothing is left.
+std::string ignored_word(std::string_view text);
 
 /// Reads a mesh file, whose ending tells the format (.msh, .veg, .inp, .vtu). Serial. Throws InputError, naming file
 /// and line (or the XML element), and no other exception.

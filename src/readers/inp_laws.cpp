@@ -70,18 +70,23 @@ Form neo_hookean_form() {
   return {2, 1, [](const std::vector<double>& c) -> fem::AnyLaw { return neo_hookean(c[0], c[1]); }};
 }
 
+Form mooney_rivlin_form() {
+  return {3, 2, [](const std::vector<double>& c) -> fem::AnyLaw { return fem::MooneyRivlin{c[0], c[1], c[2]}; }};
+}
+
+Form yeoh_form() {
+  return {6, 3,
+          [](const std::vector<double>& c) -> fem::AnyLaw { return fem::Yeoh{c[0], c[1], c[2], c[3], c[4], c[5]}; }};
+}
+
 std::optional<Form> form_of(const Keyword& keyword) {
   const std::string N = keyword.value("N").value_or("1");
   const bool other = keyword.has("VANDERWAALS") || keyword.has("MARLOW") || keyword.has("USER") ||
                      keyword.has("VALANIS-LANDEL") || keyword.has("TESTDATAINPUT");
   if (other) return std::nullopt;
   if (keyword.has("NEOHOOKE") || keyword.has("NEOHOOKEAN")) return neo_hookean_form();
-  if (keyword.has("MOONEY-RIVLIN"))
-    return Form{3, 2, [](const std::vector<double>& c) -> fem::AnyLaw { return fem::MooneyRivlin{c[0], c[1], c[2]}; }};
-  if (keyword.has("YEOH"))
-    return Form{6, 3, [](const std::vector<double>& c) -> fem::AnyLaw {
-                  return fem::Yeoh{c[0], c[1], c[2], c[3], c[4], c[5]};
-                }};
+  if (keyword.has("MOONEY-RIVLIN")) return mooney_rivlin_form();
+  if (keyword.has("YEOH")) return yeoh_form();
   if (keyword.has("ARRUDA-BOYCE"))
     return Form{3, 2, [](const std::vector<double>& c) -> fem::AnyLaw { return fem::ArrudaBoyce{c[0], c[1], c[2]}; }};
   if (keyword.has("OGDEN")) {
@@ -105,30 +110,15 @@ std::optional<Form> form_of(const Keyword& keyword) {
       return Form{4, 2, [](const std::vector<double>& c) -> fem::AnyLaw {
                     return fem::Yeoh{c[0], c[1], 0, c[2], c[3]};
                   }};
-    if (N == "3")
-      return Form{6, 3, [](const std::vector<double>& c) -> fem::AnyLaw {
-                    return fem::Yeoh{c[0], c[1], c[2], c[3], c[4], c[5]};
-                  }};
+    if (N == "3") return yeoh_form();
     return std::nullopt;
   }
   if (N != "1") return std::nullopt;  // the default is POLYNOMIAL
-  return Form{3, 2, [](const std::vector<double>& c) -> fem::AnyLaw { return fem::MooneyRivlin{c[0], c[1], c[2]}; }};
+  return mooney_rivlin_form();
 }
 
 InpUnread dependent_law(const Keyword& keyword) {
   return {"*" + keyword.title + " with constants that depend on temperature or fields is not supported", keyword.place};
-}
-
-/// The law as it is, if its constants can be.
-fem::AnyLaw possible(Deck& deck, const Keyword& keyword, Place place, const fem::AnyLaw& law) {
-  for (const auto& [parameter, value] : fem::parameters(law))
-    if (!fem::ParameterValue{parameter, value}.possible())
-      deck.fail(place, "the " + std::string(parameter.words) + " of *" + keyword.title + " cannot be " +
-                           std::to_string(value));
-  if (const auto found = fem::unstable_at_rest(law))
-    deck.fail(place,
-              "the constants of *" + keyword.title + " cannot be: the " + found->parameter.words + " is not positive");
-  return law;
 }
 
 /// The nine constants D1111, D1122, D2222, D1133, D2233, D3333, D1212, D1313, D2323 of a stiffness as engineering ones.
@@ -166,7 +156,7 @@ void read_orthotropic(Deck& deck, const Keyword& keyword, InpMaterial& material,
     deck.fail(row->place, "*ELASTIC of this type has nine constants, eight on the first line and one on the second");
   const auto law = fem::OrthotropicStVK::of_constants(
       by_stiffness ? engineering_constants(deck, row->place, row->values) : row->values);
-  material.known_law = possible(deck, keyword, row->place, *law);
+  material.known_law = possible(deck.sources(), row->place, *law);
 }
 
 }  // namespace
@@ -204,7 +194,7 @@ void read_inp_hyperelastic(Deck& deck, const Keyword& keyword, InpModel& model) 
         row->place,
         "*HYPERELASTIC without a positive D1 is an incompressible material, which ritz cannot do; the bulk modulus is "
         "2/D1: give a D1 that makes it a thousand times the shear modulus, say");
-  material.known_law = possible(deck, keyword, row->place, form->law(row->values));
+  material.known_law = possible(deck.sources(), row->place, form->law(row->values));
 }
 
 void read_inp_orientation(Deck& deck, const Keyword& keyword, InpModel& model) {

@@ -91,28 +91,34 @@ void add_force(Maker& make, const InpActing& acting) {
   else loads.push_back({.target = target, .kind = force, .table = table});
 }
 
-void add_pressure(Maker& make, const InpActing& acting) {
-  refuse_more(make.sources, *acting.load, 3);
+/// A load of `numbers` data fields on a surface; kind(magnitude) is what a scene calls it. `word` and `note` say what
+/// NLGEOM would make of it.
+template <class Kind>
+void add_on_surface(Maker& make, const InpActing& acting, std::size_t numbers, Kind kind, const std::string& word,
+                    const std::string& note) {
+  refuse_more(make.sources, *acting.load, numbers);
   const double magnitude = magnitude_of(make.sources, *acting.load);
   make.scene.loads.push_back({.target = target_of(make.model, acting),
-                              .kind = scene::Pressure{magnitude},
+                              .kind = kind(magnitude),
                               .table = inp_factor(make.sources, make.model, make.analysis, acting, magnitude)});
-  if (make.model.steps[make.analysis.step].nonlinear && make.model.words.insert("DEAD PRESSURE").second)
-    make.model.mesh.notes.push_back(located(make.sources, acting.load->fields[0].place) +
-                                    "with NLGEOM a pressure follows the surface as it turns; that of a scene keeps the "
-                                    "direction that it has on the body at rest");
+  if (make.model.steps[make.analysis.step].nonlinear && make.model.words.insert(word).second)
+    make.model.mesh.notes.push_back(located(make.sources, acting.load->fields[0].place) + note);
+}
+
+void add_pressure(Maker& make, const InpActing& acting) {
+  add_on_surface(
+      make, acting, 3, [](double magnitude) { return scene::Pressure{magnitude}; }, "DEAD PRESSURE",
+      "with NLGEOM a pressure follows the surface as it turns; that of a scene keeps the direction that it has on the "
+      "body at rest");
 }
 
 void add_traction(Maker& make, const InpActing& acting) {
-  refuse_more(make.sources, *acting.load, 6);
-  const double magnitude = magnitude_of(make.sources, *acting.load);
-  make.scene.loads.push_back({.target = target_of(make.model, acting),
-                              .kind = scene::Traction{times(magnitude, inp_vector(make.sources, *acting.load))},
-                              .table = inp_factor(make.sources, make.model, make.analysis, acting, magnitude)});
-  if (make.model.steps[make.analysis.step].nonlinear && make.model.words.insert("DEAD TRACTION").second)
-    make.model.mesh.notes.push_back(located(make.sources, acting.load->fields[0].place) +
-                                    "with NLGEOM Abaqus turns a traction with the surface unless FOLLOWER=NO is said; "
-                                    "that of a scene keeps its direction");
+  add_on_surface(
+      make, acting, 6,
+      [&](double magnitude) { return scene::Traction{times(magnitude, inp_vector(make.sources, *acting.load))}; },
+      "DEAD TRACTION",
+      "with NLGEOM Abaqus turns a traction with the surface unless FOLLOWER=NO is said; that of a scene keeps its "
+      "direction");
 }
 
 void add_gravity(Maker& make, const InpActing& acting) {

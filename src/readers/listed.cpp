@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ritz/base/shown.hpp"
+
 namespace ritz::readers {
 
 IdMap::IdMap(std::span<const Index> ids) {
@@ -187,6 +189,13 @@ FileMaterial checked(const Sources& sources, Place place, const FileMaterial& ma
   if (poisson && !(*poisson > -1 && *poisson < 0.5)) fail(sources, place, "Poisson's ratio must be in (-1, 1/2)");
   if (density && !(*density > 0)) fail(sources, place, "the density must be positive");
   return material;
+}
+
+const fem::AnyLaw& possible(const Sources& sources, Place place, const fem::AnyLaw& law) {
+  if (const auto found = fem::impossible(law))
+    fail(sources, place,
+         "the " + std::string(found->parameter.words) + " of this material cannot be " + shown(found->value));
+  return law;
 }
 
 void leave_out(const Sources& sources, Place place, const std::string& word, const std::string& what,

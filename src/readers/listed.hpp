@@ -114,6 +114,9 @@ FileMesh finish(const Sources& sources, ListedMesh mesh);
 /// `place`.
 FileMaterial checked(const Sources& sources, Place place, const FileMaterial& material);
 
+/// Returns `law` if its constants are possible and stable at rest, else throws InputError at `place`.
+const fem::AnyLaw& possible(const Sources& sources, Place place, const fem::AnyLaw& law);
+
 /// Handles something in the file that changes the physics and that ritz does not support. `word` (in capitals, without
 /// blanks) is its name for -ignore; `what` says what it is and what ritz lacks ("*TIE joins surfaces, which ritz cannot
 /// do"). Adds a note if `ignored` has the word, else throws an InputError at `place` that names -ignore.

@@ -84,6 +84,12 @@ std::string upper(std::string_view text) {
   return result;
 }
 
+std::string ignored_word(std::string_view text) {
+  std::string word = upper(text);
+  std::erase_if(word, [](char c) { return c == ' ' || c == '*'; });
+  return word;
+}
+
 namespace {
 
 bool blank(char c) { return c == ' ' || c == ',' || c == '\t' || c == '\r'; }

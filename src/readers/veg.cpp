@@ -137,15 +137,6 @@ fem::AnyLaw orthotropic(const std::vector<double>& c) {
   return fem::OrthotropicStVK(values);
 }
 
-void require_possible(VegFile& veg, Place place, const fem::AnyLaw& law) {
-  for (const auto& given : fem::parameters(law))
-    if (!given.possible())
-      veg.lines.fail(place, "the " + std::string(given.parameter.words) + " of this material cannot be");
-  if (const auto found = fem::unstable_at_rest(law))
-    veg.lines.fail(place, "the constants of this material cannot be: the " + std::string(found->parameter.words) +
-                              " is not positive");
-}
-
 void read_material(VegFile& veg, const std::string& name) {
   const auto line = need_line(veg, "the specification of material '" + name + "'");
   const auto comma = line.text.find(',');
@@ -173,7 +164,7 @@ void read_material(VegFile& veg, const std::string& name) {
                           " is not supported; ritz knows ENU, MOONEYRIVLIN and ORTHOTROPIC with all its constants";
   }
   veg.materials[name] = checked(veg.lines.sources(), line.place, material);
-  if (material.law) require_possible(veg, line.place, *material.law);
+  if (material.law) possible(veg.lines.sources(), line.place, *material.law);
 }
 
 void read_region(VegFile& veg) {

@@ -77,7 +77,11 @@ Outcome attempt(const Model<Scalar>& model, State<Scalar>& state, const StepLoad
     const auto outcome = solve_explicit(model, state, load, part, numbers, dt, room);
     if (outcome.status != Status::done) return outcome;
     if (derivative) chain_explicit(model, state, load, part, numbers, room, *derivative);
+    room.velocity = state.velocity();
     advance(numbers, room.acceleration, dt, room.next, state);
+    // Work is counted along the mean of the velocities, as the kinetic energy is: along the displacement it lags
+    // behind.
+    room.delta = dt / 2 * (room.velocity + state.velocity());
     return outcome;
   }
   const bool starts = integrator.start && state.last_dt != dt;

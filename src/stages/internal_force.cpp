@@ -7,6 +7,7 @@
 #include "ritz/mesh/dofs.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/stages/each_cell.hpp"
+#include "ritz/stages/strain.hpp"
 
 namespace ritz::stages {
 namespace {
@@ -50,12 +51,9 @@ void add_strain_energy(const Cell& cell, const mesh::LocalRows& local, Eigen::Ve
   const fem::IntegrationPoints points(cell.type, cell.x);
   const fem::Matrix<6, 6> C = cell.material.at_rest().hooke();
   for (Eigen::Index j = 0; j < local.cols(); ++j) {
-    const fem::CellVectors u = fem::relative(cell.gather(local, j));
-    for (int q = 0; q < points.count(); ++q) {
-      const Eigen::Matrix3d G = u.lazyProduct(points.gradients(q));
-      const fem::Vector<6> strain(G(0, 0), G(1, 1), G(2, 2), G(0, 1) + G(1, 0), G(1, 2) + G(2, 1), G(2, 0) + G(0, 2));
-      sums[j] += points.weight(q) * strain.dot(C * strain);
-    }
+    const fem::CellVectors u = cell.gather(local, j);
+    for (int q = 0; q < points.count(); ++q)
+      sums[j] += points.weight(q) * twice_energy(C, strain(u, points.gradients(q)));
   }
 }
 

@@ -9,6 +9,7 @@
 #include "ritz/fem/geometry.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/stages/each_cell.hpp"
+#include "ritz/stages/strain.hpp"
 
 namespace ritz::stages {
 namespace {
@@ -19,28 +20,11 @@ constexpr int most_modes = 6;
 constexpr double highest_frequency = 4;  ///< relative to the first flexible one
 constexpr double bending_gate = .1, any_gate = .25, few_layers = 2.6;
 
-using Strain = fem::Vector<6>;  // xx yy zz, then xy yz zx of the tensor
-
-double twice_energy(const fem::Matrix<6, 6>& C, const Strain& e) {
-  Strain doubled = e;
-  doubled.tail<3>() *= 2;
-  return doubled.dot(C * doubled);
-}
-
-Strain strain(const fem::CellVectors& u, const fem::GradientsRef& gradients) {
-  const fem::Matrix<3, 3> G = fem::relative(u).lazyProduct(gradients);
-  Strain e;
-  e << G(0, 0), G(1, 1), G(2, 2), (G(0, 1) + G(1, 0)) / 2, (G(1, 2) + G(2, 1)) / 2, (G(2, 0) + G(0, 2)) / 2;
-  return e;
-}
-
 constexpr bool is_linear(fem::CellType type) { return !fem::shape(type).quadratic(); }
 
 const fem::Material& material_of(const mesh::Mesh& mesh, const fem::Materials& materials, int cell) {
   return materials[static_cast<std::size_t>(mesh.cells.regions[static_cast<std::size_t>(cell)])];
 }
-
-int octave(const fem::Material& material) { return std::ilogb(material.at_rest().young()); }
 
 /// Strains at vertices, a column a mode: xx yy zz in `normal`, xy yz zx in `shear`.
 template <class Rows>

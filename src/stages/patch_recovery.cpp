@@ -9,6 +9,7 @@
 #include "ritz/fem/element.hpp"
 #include "ritz/parallel/comm.hpp"
 #include "ritz/stages/each_cell.hpp"
+#include "ritz/stages/strain.hpp"
 
 namespace ritz::stages {
 namespace {
@@ -21,15 +22,6 @@ constexpr double least_determined = 1e-6;                           ///< eigenva
 constexpr int of_strain = 6;                                        ///< xx yy zz xy yz zx of the tensor
 constexpr int corners = 4;                                          ///< of a tetrahedron
 using Strains6 = Eigen::Matrix<double, of_strain, Eigen::Dynamic>;  ///< a column a place
-
-Eigen::Matrix<double, of_strain, 1> strain_of(const fem::CellVectors& u, const fem::GradientsRef& gradients) {
-  const fem::Matrix<3, 3> G = fem::relative(u).lazyProduct(gradients);
-  Eigen::Matrix<double, of_strain, 1> e;
-  e << G(0, 0), G(1, 1), G(2, 2), (G(0, 1) + G(1, 0)) / 2, (G(1, 2) + G(2, 1)) / 2, (G(2, 0) + G(0, 2)) / 2;
-  return e;
-}
-
-int stiffness_class(const fem::Material& material) { return std::ilogb(material.at_rest().young()); }
 
 /// 1, x, y, z and, if they are wanted, the six products of two, a row a place.
 Eigen::MatrixXd monomials(const Eigen::Matrix3Xd& x, Index count) {
@@ -68,7 +60,7 @@ Samples sample(const Problem& problem, const std::vector<int>& cells, const mesh
       samples.places.col(at) = cell.x * Eigen::Map<const Eigen::VectorXd>(
                                             &rule.values[static_cast<std::size_t>(cell.count() * q)], cell.count());
       for (Index j = 0; j < local.cols(); ++j)
-        samples.values.col(total * j + at) = strain_of(cell.gather(local, j), points.gradients(q));
+        samples.values.col(total * j + at) = strain(cell.gather(local, j), points.gradients(q));
     }
   }
   return samples;
@@ -114,7 +106,7 @@ mesh::LocalRows recovered(const Problem& problem, int stiffness, const mesh::Loc
   const mesh::Mesh& mesh = problem.mesh;
   std::vector<std::vector<int>> around(static_cast<std::size_t>(mesh.owned));
   each_cell(mesh, problem.materials, [&](const Cell& cell) {
-    for (int a = 0; a < corners && stiffness_class(cell.material) == stiffness; ++a)
+    for (int a = 0; a < corners && octave(cell.material) == stiffness; ++a)
       if (cell.vertex(a) < mesh.owned) around[static_cast<std::size_t>(cell.vertex(a))].push_back(cell.number);
   });
   std::vector<std::int64_t> numbers;
@@ -150,7 +142,7 @@ void add_lacking(const Cell& cell, const mesh::LocalRows& local, const mesh::Loc
     const fem::CellVectors u = cell.gather(local, j);
     Strains6 e(of_strain, cell.count());
     for (int a = 0; a < cell.count(); ++a)
-      e.col(a) = smooth.col(j).segment<of_strain>(of_strain * cell.vertex(a)) - strain_of(u, at_vertices.gradients(a));
+      e.col(a) = smooth.col(j).segment<of_strain>(of_strain * cell.vertex(a)) - strain(u, at_vertices.gradients(a));
     e.bottomRows<3>() *= 2;  // as C takes shears
     energies[j] += (C * e * products).cwiseProduct(e).sum();
   }
@@ -161,7 +153,7 @@ void add_lacking(const Cell& cell, const mesh::LocalRows& local, const mesh::Loc
 Eigen::VectorXd lacking_energies(const Problem& problem, mesh::VertexRef u) {
   const mesh::Mesh& mesh = problem.mesh;
   std::set<int> classes;
-  for (const auto& material : problem.materials) classes.insert(stiffness_class(material));
+  for (const auto& material : problem.materials) classes.insert(octave(material));
   Eigen::MatrixXd energies = Eigen::MatrixXd::Zero(u.cols(), 1);
   for (Index first = 0; first < u.cols(); first += at_a_time) {
     const Index count = std::min(at_a_time, u.cols() - first);
@@ -169,8 +161,7 @@ Eigen::VectorXd lacking_energies(const Problem& problem, mesh::VertexRef u) {
     for (const int stiffness : classes) {
       const mesh::LocalRows smooth = recovered(problem, stiffness, local);
       each_owned_cell(mesh, problem.materials, [&](const Cell& cell) {
-        if (stiffness_class(cell.material) == stiffness)
-          add_lacking(cell, local, smooth, energies.col(0).segment(first, count));
+        if (octave(cell.material) == stiffness) add_lacking(cell, local, smooth, energies.col(0).segment(first, count));
       });
     }
   }

@@ -18,11 +18,10 @@ void EnergyWatch::add(double work, double dissipated) {
 }
 
 void EnergyWatch::look(double t, double energy) {
-  // While nothing was brought, there is nothing to compare with: the work of explicit steps lags behind by half a step.
-  if (balance_.available <= 0) return;
   const double more = energy - balance_.start - (balance_.work - balance_.dissipated);
   balance_.gained = std::max(balance_.gained, more);
   balance_.lost = std::max(balance_.lost, -more);
+  if (balance_.available <= 0) return;
   const double gain = more / balance_.available;
   if (worst_.largest <= gate && gain > gate) worst_.since = t;
   worst_.largest = std::max(worst_.largest, gain);

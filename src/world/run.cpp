@@ -32,12 +32,13 @@ void add(const StepCost& cost, const Observer& observer, RunResult& result) {
   observer.cost(cost);
 }
 
-void add(const runtime::Outcome& outcome, double displacement, RunResult& result) {
+template <class Scalar>
+void add(const runtime::Outcome& outcome, const runtime::State<Scalar>& state, RunResult& result) {
   if (std::isnan(outcome.error)) return;
   auto& errors = result.errors ? *result.errors : result.errors.emplace();
   errors.largest = std::max(errors.largest, outcome.error);
   errors.sum += M_PI / 2 * outcome.error;
-  errors.displacement = std::max(errors.displacement, displacement);
+  errors.displacement = std::max(errors.displacement, static_cast<double>(state.z().norm()));
 }
 
 /// Looks at the energy of a nonlinear motion, now and then.
@@ -182,7 +183,7 @@ class Moving {
     }
     done_ = n;
     if (watch_) watch_->after(n, t, outcome);
-    add(outcome, static_cast<double>(instance_.state.z().norm()), result_);
+    add(outcome, instance_.state, result_);
     tell();
     return true;
   }

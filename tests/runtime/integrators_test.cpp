@@ -136,6 +136,19 @@ TEST(Integrators, CentralDifferenceIsTheThreeTermRecurrence) {
   }
 }
 
+// Of a body without stiffness all the work is kinetic energy, from the first step of a growing load on.
+TEST(Integrators, CentralDifferenceBringsItsWorkIntoTheVelocity) {
+  const auto model = make_model<double>({1, number(0), number(0), number(0)}, {});
+  auto state = make_state<double>(model, central_difference(), number(0), number(0), number(0));
+  auto workspace = make_workspace<double>(model, central_difference(), .1);
+  double work = 0;
+  for (int n = 0; n < 20; ++n) {
+    work += step<double>(model, state, {number(3 * n), number(3 * (n + 1))}, .1, workspace).work;
+    const double kinetic = state.velocity().squaredNorm() / 2;
+    EXPECT_NEAR(work, kinetic, 1e-13 * kinetic) << n;
+  }
+}
+
 TEST(Integrators, GoOnFromAStoredStateAsIfNeverStopped) {
   for (const auto& integrator : {exact(), newmark(), generalized_alpha(), bdf2()}) {
     const Model<double> model = oscillator(30, .3);

@@ -67,6 +67,9 @@ std::vector<ParameterValue> parameters(const AnyLaw& law);
 /// the stiffness, an exponent, the angle between two axes. Nothing if there is no such.
 std::optional<ParameterValue> unstable_at_rest(const AnyLaw& law);
 
+/// The first parameter that is not possible, or else what unstable_at_rest returns; nothing if the law can be.
+std::optional<ParameterValue> impossible(const AnyLaw& law);
+
 /// The law of the constants that a user listed; nothing if it takes no list, or another number of them.
 std::optional<AnyLaw> law_of_constants(std::string_view name, std::span<const double> constants);
 

@@ -11,7 +11,8 @@ void read_input(Bytes input) {
   for (const auto& note : file.notes)
     if (note.empty()) finding("a note that says nothing");
   const auto text = scene::written(file.scene);
-  if (scene::written(scene::parse(text, "scene.toml")) != text) finding("a scene that is written is read as another one");
+  if (scene::written(scene::parse(text, "scene.toml")) != text)
+    finding("a scene that is written is read as another one");
 }
 
 }  // namespace ritz::fuzz
