@@ -139,6 +139,43 @@ struct Polynomial {
   Eigen::VectorXd quartic;    ///< C, C(r+3, 4) numbers, 1/(s² m² kg)
 };
 
+/// What a cubature integrates: the whole energy of the material, or its difference to the body's Polynomial, which is
+/// exact for St. Venant-Kirchhoff laws of the same constants at rest and has the larger part of the energy near rest.
+enum class Integrand : std::uint8_t { energy, beyond_polynomial };
+
+/// The errors of reduced forces over some poses: ‖Λ^(−½)(f̃ − f)‖ / ‖Λ^(−½) f‖ of each pose, where f = Uᵀf(Uz) is the
+/// projected force of all cells and Λ the diagonal of UᵀKU; near rest it is the relative error of a displacement in
+/// the energy norm.
+struct PoseErrors {
+  double mean_square_root = 0;  ///< √ of the mean of squares over the poses
+  double largest = 0;
+};
+
+/// The errors of a cubature of some number of cells: over the poses that it was trained on, and over others that it has
+/// never seen, of two kinds.
+struct CubatureError {
+  std::int64_t cells = 0;
+  PoseErrors training;
+  PoseErrors lifts;  ///< held out: low modes with their second-order corrections, u = Σ p_i ψ_i + ½ Σ p_i p_j Φ_ij
+  PoseErrors statics;  ///< held out: equilibria of the reduced model under loads
+};
+
+/// The energy of any law over U, or what the Polynomial lacks of it, by cubature (Eqs. 8-11 of the notes) over T cells,
+/// which have P quadrature points together:
+///   Ẽ(z) = Ẽ_polynomial(z) + Σ_c w_c Σ_{p of c} V_p (W(G_p(z)) − W_StVK(G_p(z))),   G_p(z) = Σ_i z_i G_pi,
+/// where G_p = ∇u is the displacement gradient; of Integrand::energy the first and the last term are absent.
+struct Cubature {
+  Integrand integrand = Integrand::energy;
+  std::vector<std::int64_t> cells;    ///< T, the mesh file's numbers of the cells, ascending
+  Eigen::VectorXd weights;            ///< w, T, 1; > 0
+  std::vector<std::int64_t> regions;  ///< T, entries of Geometry::materials
+  std::vector<std::int64_t> starts;   ///< T + 1: cell c has points starts[c] ... starts[c + 1]
+  Eigen::VectorXd volumes;            ///< V, P, m³: quadrature weight times det J of the cell
+  Eigen::MatrixXd gradients;          ///< 9P x r, 1/(m √kg): rows 9p + 3j + i are ∂u_i/∂X_j of the columns of U
+  double largest_energy = 0;          ///< J, of the poses of the training: beyond it the cubature is not tested
+  std::vector<CubatureError> errors;  ///< in the order of their numbers of cells; the last is of this cubature
+};
+
 /// Hashes, in hexadecimal, of what a body was made from.
 struct Checksums {
   std::string mesh;     ///< of the vertices, cells and regions
@@ -168,6 +205,7 @@ struct Body {
   std::optional<Modes> modes;
   std::optional<Reduction> reduction;
   std::optional<Polynomial> polynomial;
+  std::optional<Cubature> cubature;
   std::optional<Inertia> inertia;
   std::vector<SetLoad> loads;
   Report report;
