@@ -87,6 +87,16 @@ MatrixXd nearest_orthogonal(MatrixXd A) {
   return U * Vt;
 }
 
+void gemm(char op, double alpha, const Eigen::Ref<const MatrixXd>& a, const Eigen::Ref<const MatrixXd>& b, double beta,
+          Eigen::Ref<MatrixXd> c) {
+  const auto rows = static_cast<PetscBLASInt>(c.rows()), columns = static_cast<PetscBLASInt>(c.cols());
+  const auto depth = static_cast<PetscBLASInt>(b.rows());
+  if (c.size() == 0 || depth == 0) return;  // BLAS refuses empty sides
+  const auto lda = static_cast<PetscBLASInt>(a.outerStride()), ldb = static_cast<PetscBLASInt>(b.outerStride()),
+             ldc = static_cast<PetscBLASInt>(c.outerStride());
+  BLASgemm_(&op, "N", &rows, &columns, &depth, &alpha, a.data(), &lda, b.data(), &ldb, &beta, c.data(), &ldc);
+}
+
 void add_gram(Eigen::Ref<Eigen::MatrixXd> gram, const Eigen::Ref<const Eigen::MatrixXd>& y) {
   const auto n = static_cast<PetscBLASInt>(gram.rows()), depth = static_cast<PetscBLASInt>(y.cols());
   if (n == 0 || depth == 0) return;

@@ -32,6 +32,11 @@ SingularVectors right_singular_vectors(Eigen::MatrixXd A);
 /// The orthogonal matrix nearest to a square A, its polar factor: U Vᵀ for A = U Σ Vᵀ. Throws NumericalError as above.
 Eigen::MatrixXd nearest_orthogonal(Eigen::MatrixXd A);
 
+/// c = α op(a) b + β c by `dgemm`, with op the transpose for 'T' and nothing for 'N'. Where there is nothing to sum
+/// over, c stays. On this rank alone; allocates nothing.
+void gemm(char op, double alpha, const Eigen::Ref<const Eigen::MatrixXd>& a, const Eigen::Ref<const Eigen::MatrixXd>& b,
+          double beta, Eigen::Ref<Eigen::MatrixXd> c);
+
 /// Adds y yᵀ to the upper triangle of `gram` (one `dsyrk`) and leaves the lower triangle as it is. On this rank alone.
 void add_gram(Eigen::Ref<Eigen::MatrixXd> gram, const Eigen::Ref<const Eigen::MatrixXd>& y);
 

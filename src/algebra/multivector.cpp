@@ -17,16 +17,6 @@ namespace {
 
 constexpr Eigen::Index least_panel = 3;  ///< columns from which a panel, even a part of one, is faster
 
-/// c = alpha op(a) b + beta c, with op the transpose for 'T'. Nothing to sum over: c stays (BLAS refuses empty sides).
-void gemm(char op, double alpha, const ConstTallRef& a, const ConstTallRef& b, double beta, TallRef c) {
-  const auto rows = static_cast<PetscBLASInt>(c.rows()), columns = static_cast<PetscBLASInt>(c.cols());
-  const auto depth = static_cast<PetscBLASInt>(b.rows());
-  if (c.size() == 0 || depth == 0) return;
-  const auto lda = static_cast<PetscBLASInt>(a.outerStride()), ldb = static_cast<PetscBLASInt>(b.outerStride()),
-             ldc = static_cast<PetscBLASInt>(c.outerStride());
-  BLASgemm_(&op, "N", &rows, &columns, &depth, &alpha, a.data(), &lda, b.data(), &ldb, &beta, c.data(), &ldc);
-}
-
 /// A vector without storage of its own, laid over columns one after the other.
 Vector placeholder(Mat A, PetscInt local, PetscInt block) {
   Vector v;
