@@ -8,6 +8,7 @@
 #include <chrono>
 #include <random>
 
+#include "ritz/runtime/cubature_force.hpp"
 #include "ritz/runtime/polynomial_force.hpp"
 #include "ritz/runtime/reconstruction.hpp"
 #include "ritz/runtime/step.hpp"
@@ -17,8 +18,19 @@ extern "C" void dsymv_(const char* uplo, const int* n, const double* alpha, cons
 
 extern "C" double dasum_(const int* n, const double* x, const int* incx);
 
+extern "C" void dgemm_(const char* transa, const char* transb, const int* m, const int* n, const int* k,
+                       const double* alpha, const double* A, const int* lda, const double* B, const int* ldb,
+                       const double* beta, double* C, const int* ldc);
+
 namespace ritz::runtime {
 namespace {
+
+/// product := A Aᵀ, as a dgemm.
+void dgemm(const Eigen::MatrixXd& A, Eigen::MatrixXd& product) {
+  const double one = 1, zero = 0;
+  const int n = static_cast<int>(A.rows()), k = static_cast<int>(A.cols());
+  dgemm_("N", "T", &n, &n, &k, &one, A.data(), &n, A.data(), &n, &zero, product.data(), &n);
+}
 
 model::Polynomial random_polynomial(Eigen::Index r) {
   std::mt19937 generator(1);
@@ -83,6 +95,45 @@ void evaluation(benchmark::State& state) {
 }
 BENCHMARK(evaluation<double>)->Arg(20)->Arg(30)->Arg(40)->Arg(60);
 BENCHMARK(evaluation<float>)->Arg(20)->Arg(30)->Arg(40)->Arg(60);
+
+/// A cubature of neo-Hookean cells, of T = `cells_by_r` r tetrahedra of one point each, with its polynomial.
+template <class Scalar>
+CubatureForce<Scalar> random_cubature(Eigen::Index r, Eigen::Index cells_by_r) {
+  const Eigen::Index T = cells_by_r * r;
+  model::Cubature cubature{.integrand = model::Integrand::beyond_polynomial,
+                           .cells = std::vector<std::int64_t>(static_cast<std::size_t>(T)),
+                           .weights = Eigen::VectorXd::Ones(T),
+                           .regions = std::vector<std::int64_t>(static_cast<std::size_t>(T)),
+                           .starts = {},
+                           .volumes = Eigen::VectorXd::Ones(T),
+                           .gradients = .01 * Eigen::MatrixXd::Random(9 * T, r),
+                           .errors = {}};
+  for (Eigen::Index c = 0; c <= T; ++c) cubature.starts.push_back(c);
+  const std::vector<model::RegionMaterial> materials = {{"rubber", {fem::NeoHookean{1e6, .3}, 1e3}}};
+  const auto polynomial = random_polynomial(r);
+  return make_cubature_force<Scalar>(cubature, materials, &polynomial);
+}
+
+/// Energy, force and tangent of a cubature against a dgemm of the flops of its tangent, (9 T r) r multiplications.
+template <class Scalar>
+void cubature(benchmark::State& state) {
+  const Eigen::Index r = state.range(0), T = state.range(1) * r;
+  const auto force = random_cubature<Scalar>(r, state.range(1));
+  auto result = make_evaluation(force);
+  const Vector<Scalar> z = Vector<Scalar>::LinSpaced(r, -1, 1);
+  const Eigen::MatrixXd gradients = Eigen::MatrixXd::Random(r, 9 * T);
+  Eigen::MatrixXd product(r, r);
+  Fastest ours, theirs;
+  for (auto _ : state) {
+    ours.turn(5, [&] { evaluate<Scalar>(force, z, result); });
+    theirs.turn(5, [&] { dgemm(gradients, product); });
+  }
+  state.counters["us"] = ours.microseconds;
+  state.counters["dgemm_us"] = theirs.microseconds;
+  state.counters["ratio"] = ours.microseconds / theirs.microseconds;
+}
+BENCHMARK(cubature<double>)->ArgsProduct({{20, 30, 40}, {1, 2, 4, 8}});
+BENCHMARK(cubature<float>)->ArgsProduct({{20, 30, 40}, {4}});
 
 void sixteen_instances(benchmark::State& state) {
   const Eigen::Index r = state.range(0), instances = 16;

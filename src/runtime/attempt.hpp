@@ -15,12 +15,12 @@ struct StepPart {
 template <class Scalar>
 void combine(const Matrix<Scalar>& history, const Eigen::Matrix<Scalar, 4, 1>& coefficients, Vector<Scalar>& y);
 
-/// Calls visit(s, weight) for each point z_n + s δ at which the method evaluates forces: one point, or the two of the
+/// Calls visit(s, weight) for each point z_n + s δ at which the method evaluates forces: one point, or those of the
 /// mean.
 template <class Scalar, class Visit>
-void each_force_point(const ImplicitStep<Scalar>& numbers, Visit&& visit) {
+void each_force_point(const Model<Scalar>& model, const ImplicitStep<Scalar>& numbers, Visit&& visit) {
   if (numbers.rule == ForceRule::at_point) return visit(numbers.point, Scalar(1));
-  for (const Scalar s : mean_points<Scalar>()) visit(s, Scalar(0.5));
+  for (const auto [s, weight] : mean_rule(model.force)) visit(s, weight);
 }
 
 /// What the derivative of a force at q = z_n + s δ is taken with respect to: q, by the change δ; or small motions of

@@ -66,12 +66,12 @@ Scalar correct(NewtonRoom<Scalar>& room) {
 
 /// The force that depends on the position, at one point or its mean, and its derivative by δ.
 template <class Scalar>
-void evaluate_position_force(const State<Scalar>& state, const PositionForce<Scalar>& position,
-                             const StepPart<Scalar>& part, const ImplicitStep<Scalar>& numbers,
-                             NewtonRoom<Scalar>& room) {
+void evaluate_position_force(const Model<Scalar>& model, const State<Scalar>& state,
+                             const PositionForce<Scalar>& position, const StepPart<Scalar>& part,
+                             const ImplicitStep<Scalar>& numbers, NewtonRoom<Scalar>& room) {
   room.position_sum.setZero();
   room.position_tangent_sum.setZero();
-  each_force_point(numbers, [&](Scalar s, Scalar weight) {
+  each_force_point(model, numbers, [&](Scalar s, Scalar weight) {
     room.position_point = state.z() + s * room.delta;
     evaluate_at(position, state, room.position_point, part.at + s * part.width, By::change, room.position_force,
                 room.position_tangent);
@@ -119,17 +119,17 @@ Outcome iterate(const Model<Scalar>& model, const State<Scalar>& state, const St
     const Scalar scale = evaluate_residual(model, state, load, part, numbers, room);
     ++outcome.evaluations;
     const Scalar size = room.residual.norm();
-    if (!std::isfinite(size)) {
-      outcome.status = Status::not_finite;
-      return outcome;
-    }
     const bool started = outcome.iterations > 0;
     if (size == 0 || (started && size <= options.tolerance * scale)) break;
-    if (size > last && shortened < shortenings) {  // the correction went too far: take half of it back
+    if (started && !(size <= last) && shortened < shortenings) {  // the correction went too far: take half of it back
       room.correction_taken /= 2;
       room.delta += room.correction_taken;
       ++shortened;
       continue;
+    }
+    if (!std::isfinite(size)) {
+      outcome.status = Status::not_finite;
+      return outcome;
     }
     if (outcome.iterations == options.iterations) return outcome;
     last = size;
@@ -182,7 +182,7 @@ void evaluate_forces(const Model<Scalar>& model, const State<Scalar>& state, con
     room.point = state.z() + numbers.point * room.delta;
     evaluate<Scalar>(model.force, room.point, room.at_point);
   }
-  if (load.position) evaluate_position_force(state, *load.position, part, numbers, room);
+  if (load.position) evaluate_position_force(model, state, *load.position, part, numbers, room);
 }
 
 template <class Scalar>

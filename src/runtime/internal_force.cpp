@@ -1,6 +1,6 @@
 #include "ritz/runtime/internal_force.hpp"
 
-#include <cmath>
+#include <array>
 
 namespace ritz::runtime {
 
@@ -25,13 +25,13 @@ Evaluation<Scalar> make_evaluation(const CarriedForce<Scalar>& force) {
   Evaluation<Scalar> evaluation;
   evaluation.force = Vector<Scalar>::Zero(size);
   evaluation.tangent = Matrix<Scalar>::Zero(size, size);
-  evaluation.carried.push_back(std::visit([](const auto& body) { return make_evaluation(body); }, force.body));
+  evaluation.inner.push_back(std::visit([](const auto& body) { return make_evaluation(body); }, force.body));
   return evaluation;
 }
 
 template <class Scalar>
 void evaluate(const CarriedForce<Scalar>& force, const VectorRef<Scalar>& q, Evaluation<Scalar>& result) {
-  auto& own = result.carried.front();
+  auto& own = result.inner.front();
   const Eigen::Index r = own.force.size();
   std::visit([&](const auto& body) { evaluate<Scalar>(body, q.tail(r), own); }, force.body);
   result.energy = own.energy;
@@ -68,9 +68,32 @@ MeanEvaluation<Scalar> make_mean_evaluation(const InternalForce<Scalar>& force) 
 }
 
 template <class Scalar>
-std::array<Scalar, 2> mean_points() {
-  const auto gauss = static_cast<Scalar>(1 / std::sqrt(12.0));
-  return {Scalar(0.5) - gauss, Scalar(0.5) + gauss};
+bool is_cubic(const InternalForce<Scalar>& force) {
+  const auto* carried = std::get_if<CarriedForce<Scalar>>(&force);
+  return carried ? !std::holds_alternative<CubatureForce<Scalar>>(carried->body)
+                 : !std::holds_alternative<CubatureForce<Scalar>>(force);
+}
+
+template <class Scalar>
+bool admits(const InternalForce<Scalar>& force, const VectorRef<Scalar>& z, Evaluation<Scalar>& room) {
+  if (const auto* cubature = std::get_if<CubatureForce<Scalar>>(&force)) return admits<Scalar>(*cubature, z, room);
+  const auto* carried = std::get_if<CarriedForce<Scalar>>(&force);
+  const auto* cubature = carried ? std::get_if<CubatureForce<Scalar>>(&carried->body) : nullptr;
+  return !cubature || admits<Scalar>(*cubature, z.tail(cubature->size()), room.inner.front());
+}
+
+template <class Scalar>
+std::span<const MeanPoint<Scalar>> mean_rule(const InternalForce<Scalar>& force) {
+  static constexpr double two = .28867513459481288225, inner = .16999052179242813240, outer = .43056815579702628761;
+  static constexpr double heavy = .32607257743127307131, light = .17392742256872692869;
+  static constexpr std::array<MeanPoint<Scalar>, 2> of_two = {
+      {{Scalar(.5 - two), Scalar(.5)}, {Scalar(.5 + two), Scalar(.5)}}};
+  static constexpr std::array<MeanPoint<Scalar>, 4> of_four = {{{Scalar(.5 - outer), Scalar(light)},
+                                                                {Scalar(.5 - inner), Scalar(heavy)},
+                                                                {Scalar(.5 + inner), Scalar(heavy)},
+                                                                {Scalar(.5 + outer), Scalar(light)}}};
+  if (is_cubic(force)) return of_two;
+  return of_four;
 }
 
 template <class Scalar>
@@ -79,11 +102,11 @@ void evaluate_mean(const InternalForce<Scalar>& internal, const VectorRef<Scalar
   auto& [force, tangent, point, at_point] = result;
   force.setZero();
   tangent.setZero();
-  for (const Scalar s : mean_points<Scalar>()) {
+  for (const auto [s, weight] : mean_rule(internal)) {
     point = z + s * d;
     evaluate<Scalar>(internal, point, at_point);
-    force += at_point.force / 2;
-    tangent += at_point.tangent * (s / 2);
+    force += at_point.force * weight;
+    tangent += at_point.tangent * (s * weight);
   }
 }
 
@@ -96,7 +119,9 @@ void evaluate_mean(const InternalForce<Scalar>& internal, const VectorRef<Scalar
   template Matrix<S> stiffness_at_rest(const PolynomialForce<S>&);                     \
   template Matrix<S> stiffness_at_rest(const CarriedForce<S>&);                        \
   template MeanEvaluation<S> make_mean_evaluation(const InternalForce<S>&);            \
-  template std::array<S, 2> mean_points();                                             \
+  template bool is_cubic(const InternalForce<S>&);                                     \
+  template bool admits(const InternalForce<S>&, const VectorRef<S>&, Evaluation<S>&);  \
+  template std::span<const MeanPoint<S>> mean_rule(const InternalForce<S>&);           \
   template void evaluate_mean(const InternalForce<S>&, const VectorRef<S>&, const VectorRef<S>&, MeanEvaluation<S>&);
 RITZ_INSTANCE(double)
 RITZ_INSTANCE(float)

@@ -41,6 +41,16 @@ Model<Scalar> oscillators(const Eigen::VectorXd& stiffness, const Damping& dampi
   return {.force = LinearForce<Scalar>{stiffness.cast<Scalar>()}, .damping = Vector<Scalar>(d.cast<Scalar>())};
 }
 
+template <class Scalar>
+Model<Scalar> nonlinear(InternalForce<Scalar> force, const Damping& damping) {
+  const Eigen::MatrixXd rest = stiffness_at_rest(force).template cast<double>();
+  Eigen::MatrixXd D = damping.beta * rest;
+  D.diagonal().array() += damping.alpha;
+  D.diagonal() += by_ratios(damping, rest.diagonal(), rigid_stiffness * rest.diagonal().maxCoeff());
+  if (damping.beta == 0) return {.force = std::move(force), .damping = Vector<Scalar>(D.diagonal().cast<Scalar>())};
+  return {.force = std::move(force), .damping = Matrix<Scalar>(D.cast<Scalar>())};
+}
+
 }  // namespace
 
 template <class Scalar>
@@ -57,23 +67,26 @@ Model<Scalar> make_model(const model::Reduction& reduction, const Damping& dampi
 
 template <class Scalar>
 Model<Scalar> make_model(const model::Polynomial& polynomial, const Damping& damping) {
-  auto force = make_polynomial_force<Scalar>(polynomial);
-  const Eigen::MatrixXd rest = force.linear.template cast<double>();
-  Eigen::MatrixXd D = damping.beta * rest;
-  D.diagonal().array() += damping.alpha;
-  D.diagonal() += by_ratios(damping, rest.diagonal(), rigid_stiffness * rest.diagonal().maxCoeff());
-  if (damping.beta == 0) return {.force = std::move(force), .damping = Vector<Scalar>(D.diagonal().cast<Scalar>())};
-  return {.force = std::move(force), .damping = Matrix<Scalar>(D.cast<Scalar>())};
+  return nonlinear<Scalar>(make_polynomial_force<Scalar>(polynomial), damping);
+}
+
+template <class Scalar>
+Model<Scalar> make_model(const model::Cubature& cubature, std::span<const model::RegionMaterial> materials,
+                         const model::Polynomial* polynomial, const Damping& damping) {
+  return nonlinear<Scalar>(make_cubature_force<Scalar>(cubature, materials, polynomial), damping);
 }
 
 template <class Scalar>
 Model<Scalar> carry(Model<Scalar> body, Inertia<Scalar> inertia) {
   const Eigen::Index r = body.size(), size = frame_coordinates + r;
   Model<Scalar> model{.force = CarriedForce<Scalar>{}, .damping = Vector<Scalar>(), .inertia = std::move(inertia)};
-  auto& carried = std::get<CarriedForce<Scalar>>(model.force).body;
-  if (auto* polynomial = std::get_if<PolynomialForce<Scalar>>(&body.force)) carried = std::move(*polynomial);
-  else if (auto* linear = std::get_if<LinearForce<Scalar>>(&body.force)) carried = std::move(*linear);
-  else throw std::logic_error("a frame carries bodies of linear and of polynomial forces, which none carries yet");
+  std::visit(
+      [&]<class Force>(Force& force) {
+        if constexpr (std::is_same_v<Force, CarriedForce<Scalar>>)
+          throw std::logic_error("a frame carries the body already");
+        else std::get<CarriedForce<Scalar>>(model.force).body = std::move(force);
+      },
+      body.force);
   if (const auto* diagonal = std::get_if<Vector<Scalar>>(&body.damping)) {
     Vector<Scalar> damping = Vector<Scalar>::Zero(size);
     damping.tail(r) = *diagonal;
@@ -120,14 +133,16 @@ Scalar energy(const Model<Scalar>& model, const VectorRef<Scalar>& z, const Vect
   return v.dot(room.force) / 2 + room.energy;
 }
 
-#define RITZ_INSTANCE(S)                                                          \
-  template Model<S> make_model(const model::Modes&, const Damping&);              \
-  template Model<S> make_model(const model::Reduction&, const Damping&);          \
-  template Model<S> make_model(const model::Polynomial&, const Damping&);         \
-  template Model<S> carry(Model<S>, Inertia<S>);                                  \
-  template bool is_oscillators(const Model<S>&);                                  \
-  template void add_damping(const Model<S>&, S, const VectorRef<S>&, Vector<S>&); \
-  template void add_damping(const Model<S>&, S, Matrix<S>&);                      \
+#define RITZ_INSTANCE(S)                                                                       \
+  template Model<S> make_model(const model::Modes&, const Damping&);                           \
+  template Model<S> make_model(const model::Reduction&, const Damping&);                       \
+  template Model<S> make_model(const model::Polynomial&, const Damping&);                      \
+  template Model<S> make_model(const model::Cubature&, std::span<const model::RegionMaterial>, \
+                               const model::Polynomial*, const Damping&);                      \
+  template Model<S> carry(Model<S>, Inertia<S>);                                               \
+  template bool is_oscillators(const Model<S>&);                                               \
+  template void add_damping(const Model<S>&, S, const VectorRef<S>&, Vector<S>&);              \
+  template void add_damping(const Model<S>&, S, Matrix<S>&);                                   \
   template S energy(const Model<S>&, const VectorRef<S>&, const VectorRef<S>&, Evaluation<S>&);
 RITZ_INSTANCE(double)
 RITZ_INSTANCE(float)

@@ -63,7 +63,7 @@ Matrix<Scalar> tangent_at_begin(const Model<Scalar>& model, const State<Scalar>&
                                 const StepPart<Scalar>& part, const ImplicitStep<Scalar>& numbers,
                                 NewtonRoom<Scalar>& room) {
   Matrix<Scalar> tangent = Matrix<Scalar>::Zero(model.size(), model.size());
-  each_force_point(numbers, [&](Scalar s, Scalar weight) {
+  each_force_point(model, numbers, [&](Scalar s, Scalar weight) {
     room.point = state.z() + s * room.delta;
     evaluate<Scalar>(model.force, room.point, room.at_point);
     tangent += weight * room.at_point.tangent;

@@ -46,12 +46,12 @@ Evaluation<Scalar> make_evaluation(const PolynomialForce<Scalar>& forces) {
           .point = zeros<Scalar>(r + width),
           .room = zeros<Scalar>(room_at_point(r) * width),
           .result = zeros<Scalar>(result_size(r) * width),
-          .carried = {}};
+          .inner = {}};
 }
 
 template <class Scalar>
 void evaluate(const PolynomialForce<Scalar>& forces, const VectorRef<Scalar>& z, Evaluation<Scalar>& evaluation) {
-  auto& [energy, force, tangent, sums, point, room, result, carried] = evaluation;
+  auto& [energy, force, tangent, sums, point, room, result, inner] = evaluation;
   std::ranges::copy(z, point.begin());
   differentiate_at_point(forces.r, forces.cubic.data(), forces.quartic.data(), point.data(), room.data(),
                          result.data());

@@ -48,7 +48,8 @@ Outcome find_rest(const Model<Scalar>& model, StaticWorkspace<Scalar>& workspace
 }
 
 /// Whether dᵀK̃d > 0 all along the straight way d from z to the trial, which else jumped to another branch. Along it
-/// this is a quadratic for a force that is a cubic polynomial, which three values tell.
+/// this is a quadratic for a force that is a cubic polynomial, which three values tell; of others there are nine
+/// samples.
 template <class Scalar>
 bool stays_stable(const Model<Scalar>& model, const Vector<Scalar>& z, StaticWorkspace<Scalar>& workspace) {
   auto& at = workspace.at;
@@ -61,6 +62,11 @@ bool stays_stable(const Model<Scalar>& model, const Vector<Scalar>& z, StaticWor
     return way.dot(load);
   };
   if (way.squaredNorm() == 0) return true;
+  if (!is_cubic(model.force)) {
+    for (int eighth = 0; eighth <= 8; ++eighth)
+      if (!(stiffness_at(Scalar(eighth) / 8) > 0)) return false;
+    return true;
+  }
   const Scalar begin = stiffness_at(0), middle = stiffness_at(Scalar(0.5)), end = stiffness_at(1);
   const Scalar curvature = 2 * (begin - 2 * middle + end), slope = end - begin - curvature;
   const Scalar lowest = curvature > 0 ? std::clamp(-slope / (2 * curvature), Scalar(0), Scalar(1)) : Scalar(0);

@@ -1,10 +1,11 @@
-// The internal force f̃(z) of a reduced model: linear (small displacements) or polynomial; of a body at rest or of one
-// that a rigid frame carries. A new kind is one struct with size(), make_evaluation, evaluate and stiffness_at_rest,
-// and one alternative of InternalForce.
+// The internal force f̃(z) of a reduced model: linear (small displacements), polynomial or a cubature; of a body at rest
+// or of one that a rigid frame carries. A new kind is one struct with size(), make_evaluation, evaluate and
+// stiffness_at_rest, and one alternative of InternalForce.
 #pragma once
-#include <array>
+#include <span>
 #include <variant>
 
+#include "ritz/runtime/cubature_force.hpp"
 #include "ritz/runtime/frame.hpp"
 #include "ritz/runtime/polynomial_force.hpp"
 
@@ -31,11 +32,15 @@ Matrix<Scalar> stiffness_at_rest(const LinearForce<Scalar>& force);
 template <class Scalar>
 Matrix<Scalar> stiffness_at_rest(const PolynomialForce<Scalar>& force);
 
+/// The internal force of a body that nothing carries.
+template <class Scalar>
+using BodyForce = std::variant<LinearForce<Scalar>, PolynomialForce<Scalar>, CubatureForce<Scalar>>;
+
 /// The internal force of a body that a rigid frame carries, over the 6 + r coordinates of the frame's motion and of z
 /// (frame.hpp). Moving the frame deforms nothing, so that the first six components are 0.
 template <class Scalar>
 struct CarriedForce {
-  std::variant<LinearForce<Scalar>, PolynomialForce<Scalar>> body;
+  BodyForce<Scalar> body;
 
   Eigen::Index size() const {
     return frame_coordinates + std::visit([](const auto& force) { return force.size(); }, body);
@@ -54,7 +59,8 @@ Matrix<Scalar> stiffness_at_rest(const CarriedForce<Scalar>& force);
 
 /// The internal force of a model, of any kind.
 template <class Scalar>
-using InternalForce = std::variant<LinearForce<Scalar>, PolynomialForce<Scalar>, CarriedForce<Scalar>>;
+using InternalForce =
+    std::variant<LinearForce<Scalar>, PolynomialForce<Scalar>, CubatureForce<Scalar>, CarriedForce<Scalar>>;
 
 /// The number of coordinates: r, or 6 + r of a carried body.
 template <class Scalar>
@@ -94,15 +100,31 @@ struct MeanEvaluation {
 template <class Scalar>
 MeanEvaluation<Scalar> make_mean_evaluation(const InternalForce<Scalar>& force);
 
-/// Computes ∫₀¹ f̃(z + s d) ds and its derivative with respect to d; z and d have r entries. Two Gauss points
-/// s = ½ ∓ 1/√12 are exact, as f̃ is at most cubic: the force is the mean of f̃(z + s d) over the two points, the tangent
-/// the mean of s K̃(z + s d). Hence force · d = Ẽ(z + d) − Ẽ(z). Does not allocate.
+/// Computes ∫₀¹ f̃(z + s d) ds and its derivative with respect to d by the Gauss points of mean_rule: the force is the
+/// mean of f̃(z + s d) over them, the tangent that of s K̃(z + s d). z and d have r entries. Does not allocate.
 template <class Scalar>
 void evaluate_mean(const InternalForce<Scalar>& force, const VectorRef<Scalar>& z, const VectorRef<Scalar>& d,
                    MeanEvaluation<Scalar>& result);
 
-/// The two Gauss points s = ½ ∓ 1/√12 of evaluate_mean, ascending.
+/// A Gauss point 0 < s < 1 of a mean, and its weight; weights add up to 1.
 template <class Scalar>
-std::array<Scalar, 2> mean_points();
+struct MeanPoint {
+  Scalar s, weight;
+};
+
+/// Whether f̃ is a polynomial in z, at most a cubic one.
+template <class Scalar>
+bool is_cubic(const InternalForce<Scalar>& force);
+
+/// Whether the internal force is defined at z: laws of a cubature do not admit every state (fem::Response), and all
+/// other forces do. Overwrites the work arrays of `room`.
+template <class Scalar>
+bool admits(const InternalForce<Scalar>& force, const VectorRef<Scalar>& z, Evaluation<Scalar>& room);
+
+/// The points of evaluate_mean, ascending. Two are exact for a force that is at most cubic, so that force · d =
+/// Ẽ(z + d) − Ẽ(z). For others there are four, exact to degree 7: over a step that resolves the motion, energies then
+/// agree to rounding.
+template <class Scalar>
+std::span<const MeanPoint<Scalar>> mean_rule(const InternalForce<Scalar>& force);
 
 }  // namespace ritz::runtime

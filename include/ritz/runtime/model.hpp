@@ -49,6 +49,12 @@ Model<Scalar> make_model(const model::Reduction& reduction, const Damping& dampi
 template <class Scalar = double>
 Model<Scalar> make_model(const model::Polynomial& polynomial, const Damping& damping);
 
+/// The nonlinear model of a cubature, damped as that of a polynomial. `materials` and `polynomial` are those of the
+/// body (make_cubature_force, which also says what is thrown).
+template <class Scalar = double>
+Model<Scalar> make_model(const model::Cubature& cubature, std::span<const model::RegionMaterial> materials,
+                         const model::Polynomial* polynomial, const Damping& damping);
+
 /// The model of a body that a rigid frame carries, in the 6 + r coordinates of frame.hpp. Damping does not act on the
 /// motion of the frame. `inertia` gives M and h as functions of z and of the velocity ν; neither depends on the frame.
 /// Throws std::logic_error where a frame carries the body already.

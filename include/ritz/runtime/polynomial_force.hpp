@@ -39,7 +39,7 @@ struct Evaluation {
   Matrix<Scalar> tangent;  ///< K̃, r x r, both triangles, 1/s²
   Vector<Scalar> sums;     ///< work array, as those below
   AlignedVector<Scalar> point, room, result;
-  std::vector<Evaluation> carried;  ///< of a body that a frame carries: the body's own
+  std::vector<Evaluation> inner;  ///< of a carried body the body's own; of a cubature its polynomial's
 };
 
 /// Allocates the result of evaluate.

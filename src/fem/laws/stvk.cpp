@@ -13,9 +13,9 @@ Matrix<3, 3> gram(const Matrix<3, 3>& A) {
 }
 
 /// The second Piola-Kirchhoff stress S, Pa, of a strain E.
-Matrix<3, 3> second_piola(const StVK& law, const Matrix<3, 3>& strain) {
-  Matrix<3, 3> S = 2 * law.mu() * strain;
-  S.diagonal().array() += law.lambda() * strain.trace();
+Matrix<3, 3> second_piola(const Lame& lame, const Matrix<3, 3>& strain) {
+  Matrix<3, 3> S = 2 * lame.mu * strain;
+  S.diagonal().array() += lame.lambda * strain.trace();
   return S;
 }
 
@@ -25,16 +25,16 @@ Matrix<3, 3> StVK::strain(const Matrix<3, 3>& G) {  // FᵀF − I would lose th
   return (G + G.transpose() + gram(G)) / 2;
 }
 
-Response StVK::response(const Matrix<3, 3>& G) const {
-  const Matrix<3, 3> E = strain(G), S = second_piola(*this, E);
+Response stvk_response(const Lame& lame, const Matrix<3, 3>& G) {
+  const Matrix<3, 3> E = StVK::strain(G), S = second_piola(lame, E);
   return {S.cwiseProduct(E).sum() / 2, S + G * S};
 }
 
-Moduli StVK::moduli(const Matrix<3, 3>& G) const {
+Moduli stvk_moduli(const Lame& lame, const Matrix<3, 3>& G) {
   const Matrix<3, 3> I = Matrix<3, 3>::Identity(), F = I + G;
-  Moduli A = Moduli::of_products(F, lambda(), mu());
-  A.add_product(I, second_piola(*this, strain(G)));
-  A.add_product(mu() * gram(F.transpose()), I);
+  Moduli A = Moduli::of_products(F, lame.lambda, lame.mu);
+  A.add_product(I, second_piola(lame, StVK::strain(G)));
+  A.add_product(lame.mu * gram(F.transpose()), I);
   return A;
 }
 

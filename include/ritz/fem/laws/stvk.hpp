@@ -7,6 +7,16 @@
 
 namespace ritz::fem {
 
+/// Lamé's constants λ and μ, Pa.
+struct Lame {
+  double lambda, mu;
+};
+
+/// W = ½ S : E and P = F S.
+Response stvk_response(const Lame& lame, const Matrix<3, 3>& G);
+/// ∂P_ij/∂F_kl = δ_ik S_lj + λ F_ij F_kl + μ F_il F_kj + μ (FFᵀ)_ik δ_jl.
+Moduli stvk_moduli(const Lame& lame, const Matrix<3, 3>& G);
+
 /// Valid for young > 0 and -1 < poisson < 1/2. The force is a cubic polynomial in the displacement, so that a reduced
 /// model can be exact. The material softens under compression, and does not resist being turned inside out.
 struct StVK {
@@ -25,10 +35,8 @@ struct StVK {
 
   /// The Green-Lagrange strain E = ½(G + Gᵀ + GᵀG).
   static Matrix<3, 3> strain(const Matrix<3, 3>& G);
-  /// W = ½ S : E and P = F S.
-  Response response(const Matrix<3, 3>& G) const;
-  /// ∂P_ij/∂F_kl = δ_ik S_lj + λ F_ij F_kl + μ F_il F_kj + μ (FFᵀ)_ik δ_jl.
-  Moduli moduli(const Matrix<3, 3>& G) const;
+  Response response(const Matrix<3, 3>& G) const { return stvk_response({lambda(), mu()}, G); }
+  Moduli moduli(const Matrix<3, 3>& G) const { return stvk_moduli({lambda(), mu()}, G); }
 };
 
 }  // namespace ritz::fem
