@@ -131,32 +131,6 @@ std::vector<model::VertexSet> read_sets(const ModelReader& in, const std::string
   return sets;
 }
 
-std::vector<model::RegionMaterial> read_materials(const ModelReader& in, const std::string& group) {
-  std::vector<model::RegionMaterial> materials;
-  const auto path = schema::join(group, schema::materials);
-  if (!exists(in, path)) return materials;
-  const auto regions = read_texts(in, schema::join(path, schema::regions));
-  const auto count = static_cast<Index>(regions.size());
-  const auto of_laws = schema::join(path, schema::laws);  // since version 1.2
-  const auto laws =
-      exists(in, of_laws) ? read_texts(in, of_laws) : std::vector<std::string>(regions.size(), fem::default_law);
-  if (laws.size() != regions.size()) fail(in, of_laws, "has not one entry a region");
-  const auto density = read_vector<double>(in, schema::join(path, schema::density), count);
-  std::map<std::string, std::vector<double>> constants;
-  for (std::size_t i = 0; i < regions.size(); ++i) {
-    const auto law = fem::make_law(laws[i], [&](const fem::Parameter& parameter) {
-      auto& values = constants[parameter.name];
-      if (values.empty()) values = read_vector<double>(in, schema::join(path, parameter.name), count);
-      return values[i];
-    });
-    if (!law) fail(in, of_laws, "gives region '" + regions[i] + "' the unknown law '" + laws[i] + "'");
-    if (!(density[i] > 0) || !std::ranges::all_of(fem::parameters(*law), &fem::ParameterValue::possible))
-      fail(in, path, "gives region '" + regions[i] + "' a material that cannot be");
-    materials.push_back({regions[i], {*law, density[i]}});
-  }
-  return materials;
-}
-
 }  // namespace
 
 GeometrySlices whole(const model::Geometry& geometry) {
@@ -180,6 +154,32 @@ void write_geometry(ModelWriter& out, const model::Geometry& mine, const Geometr
   write_grid(out, body, slices);
 }
 
+std::vector<model::RegionMaterial> read_materials(const ModelReader& in, std::string_view body) {
+  std::vector<model::RegionMaterial> materials;
+  const auto path = schema::join(schema::body_part(body, schema::geometry), schema::materials);
+  if (!exists(in, path)) return materials;
+  const auto regions = read_texts(in, schema::join(path, schema::regions));
+  const auto count = static_cast<Index>(regions.size());
+  const auto of_laws = schema::join(path, schema::laws);  // since version 1.2
+  const auto laws =
+      exists(in, of_laws) ? read_texts(in, of_laws) : std::vector<std::string>(regions.size(), fem::default_law);
+  if (laws.size() != regions.size()) fail(in, of_laws, "has not one entry a region");
+  const auto density = read_vector<double>(in, schema::join(path, schema::density), count);
+  std::map<std::string, std::vector<double>> constants;
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    const auto law = fem::make_law(laws[i], [&](const fem::Parameter& parameter) {
+      auto& values = constants[parameter.name];
+      if (values.empty()) values = read_vector<double>(in, schema::join(path, parameter.name), count);
+      return values[i];
+    });
+    if (!law) fail(in, of_laws, "gives region '" + regions[i] + "' the unknown law '" + laws[i] + "'");
+    if (!(density[i] > 0) || !std::ranges::all_of(fem::parameters(*law), &fem::ParameterValue::possible))
+      fail(in, path, "gives region '" + regions[i] + "' a material that cannot be");
+    materials.push_back({regions[i], {*law, density[i]}});
+  }
+  return materials;
+}
+
 model::Geometry read_geometry(const ModelReader& in, std::string_view body) {
   const auto group = schema::body_part(body, schema::geometry);
   if (!exists(in, group)) fail(in, group, "is missing");
@@ -192,7 +192,7 @@ model::Geometry read_geometry(const ModelReader& in, std::string_view body) {
   geometry.vertex_ids = read_vector<Index>(in, schema::join(group, schema::vertex_ids), points);
   geometry.cells = read_cells(in, group, points);
   geometry.sets = read_sets(in, group, points);
-  geometry.materials = read_materials(in, group);
+  geometry.materials = read_materials(in, body);
   return geometry;
 }
 

@@ -30,8 +30,8 @@ void ModelReader::check_root() {
     throw InputError(name() + " is an HDF5 file but not a ritz model; give the file that ritz-reduce wrote");
   const auto version = read_indices(*this, "/", schema::version);
   if (version.size() != 2 || version[0] < 1 || version[1] < 0) fail(*this, "/", "has no sensible format version");
-  minor_ = static_cast<int>(version[1]);
-  if (version[0] == schema::major) {
+  version_ = {version[0], version[1]};
+  if (version[0] <= schema::newest_major) {
     survey(*this, schema::roots);
     return;
   }
@@ -39,8 +39,8 @@ void ModelReader::check_root() {
   if (H5Aexists_by_name(file(), schema::provenance.data(), schema::program, H5P_DEFAULT) > 0)
     writer = "ritz of " + read_text(*this, std::string(schema::provenance), schema::program);
   throw InputError(name() + " has the model format " + std::to_string(version[0]) + "." + std::to_string(version[1]) +
-                   ", this program reads " + std::to_string(schema::major) + ".x; use the " + writer +
-                   " that wrote it, or a later one");
+                   ", this program reads " + std::to_string(schema::newest_major) + ".x and older ones; use the " +
+                   writer + " that wrote it, or a later one");
 }
 
 std::vector<std::string> ModelReader::bodies() const {

@@ -5,6 +5,7 @@
 
 #include "read.hpp"
 #include "ritz/base/shown.hpp"
+#include "ritz/format/names.hpp"
 #include "ritz/format/reader.hpp"
 
 namespace ritz::format {
@@ -74,6 +75,14 @@ void check_shapes(const ModelReader& in, std::string_view body) {
   if (in.has(schema::reduction, body)) fit(schema::reduction, first(schema::reduction, schema::stiffness) == r);
   if (in.has(schema::polynomial, body))
     fit(schema::polynomial, read_index(in, schema::body_part(body, schema::polynomial), schema::column_count) == r);
+  if (in.has(schema::cubature, body)) {
+    const auto cubature = schema::body_part(body, schema::cubature);
+    fit(schema::cubature, stored_shape(in, schema::join(cubature, schema::gradients)).back() == r);
+    const bool rest = read_text(in, cubature, schema::integrand) == name(model::Integrand::beyond_polynomial);
+    require(rest == in.has(schema::polynomial, body), in, cubature,
+            rest ? "the polynomial is missing whose rest it integrates"
+                 : "it integrates the whole energy, so that the polynomial beside it is one too many");
+  }
   for (const auto& link : links(in, schema::body_part(body, schema::loads)))
     fit(schema::loads, stored_shape(in, schema::join(load_of(body, link), schema::total)).front() == r);
 }
@@ -108,6 +117,10 @@ void check_witnesses(const ModelReader& in, const model::Body& body) {
     require(error <= orthonormality_gate, in, group(schema::inertia),
             "UᵀMU differs from I by " + shown(error, 3) + ", more than 1e-12");
   }
+  if (body.cubature)
+    require(std::ranges::all_of(body.cubature->regions,
+                                [&](Index region) { return region < std::ssize(body.geometry.materials); }),
+            in, group(schema::cubature), "a cell belongs to a region without a material");
   if (body.polynomial) {
     const double error = stiffness_error(body);
     require(error <= stiffness_gate, in, group(schema::polynomial),
@@ -128,6 +141,7 @@ model::Body checked_body(const ModelReader& in, const std::string& name) {
   body.modes = read_modes(in, body.name);
   body.reduction = read_reduction(in, body.name);
   body.polynomial = read_polynomial(in, body.name);
+  body.cubature = read_cubature(in, body.name);
   body.inertia = read_inertia(in, body.name);
   body.loads = read_loads(in, body.name);
   body.report = read_report(in, body.name);

@@ -66,6 +66,23 @@ Json::Object summary(const model::Polynomial& polynomial) {
           {"quartic", polynomial.quartic.size()}};
 }
 
+Json::Object summary(const model::Cubature& cubature) {
+  Json::Array errors;
+  const auto pair = [](const model::PoseErrors& e) {
+    return Json::Object{{"mean_square_root", e.mean_square_root}, {"largest", e.largest}};
+  };
+  for (const auto& error : cubature.errors)
+    errors.emplace_back(Json::Object{{"cells", error.cells},
+                                     {"training", pair(error.training)},
+                                     {"lifts", pair(error.lifts)},
+                                     {"statics", pair(error.statics)}});
+  return {{"integrand", name(cubature.integrand)},
+          {"cells", std::ssize(cubature.cells)},
+          {"points", cubature.volumes.size()},
+          {"largest_energy", cubature.largest_energy},
+          {"errors", std::move(errors)}};
+}
+
 Json::Object summary(const model::Inertia& inertia) {
   return {{"centre_of_mass", json_list(inertia.centre_of_mass())}, {"tensor", matrix_rows(inertia.tensor())}};
 }

@@ -12,6 +12,7 @@ void write_body(ModelWriter& out, const model::Body& body) {
   if (body.modes) write_modes(out, *body.modes, body.name);
   if (body.reduction) write_reduction(out, *body.reduction, body.name);
   if (body.polynomial) write_polynomial(out, *body.polynomial, body.name);
+  if (body.cubature) write_cubature(out, *body.cubature, body.name);
   if (body.inertia) write_inertia(out, *body.inertia, body.name);
   write_loads(out, body.loads, body.name);
   write_report(out, body.report, body.name);
@@ -37,6 +38,7 @@ std::string coordinates_checksum(const ModelReader& in, std::string_view body) {
   add(part(schema::modes, schema::eigenvalues));
   add(part(schema::reduction, schema::stiffness));
   for (const auto* order : {schema::quadratic, schema::cubic, schema::quartic}) add(part(schema::polynomial, order));
+  for (const auto* numbers : {schema::weights, schema::gradients}) add(part(schema::cubature, numbers));
   return formatted("%016llx", static_cast<unsigned long long>(sum));
 }
 
@@ -50,6 +52,7 @@ model::Body read_body(const ModelReader& in, const std::string& name) {
   body.modes = read_modes(in, name);
   body.reduction = read_reduction(in, name);
   body.polynomial = read_polynomial(in, name);
+  body.cubature = read_cubature(in, name);
   body.inertia = read_inertia(in, name);
   body.loads = read_loads(in, name);
   body.report = read_report(in, name);

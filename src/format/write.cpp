@@ -1,6 +1,7 @@
 #include "write.hpp"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 
 #include "collective.hpp"
@@ -139,6 +140,13 @@ void write_attribute(const ModelWriter& out, const std::string& object, const ch
   const Quiet quiet;
   put_attribute(out, object, name, hdf5_type<std::int64_t>(), space_of(static_cast<Index>(values.size()), {}),
                 bytes_of(out, values));
+}
+
+void raise_version(const ModelWriter& out, const schema::Version& version) {
+  const Quiet quiet;
+  const std::array<std::int64_t, 2> values = {version.major, version.minor};
+  const Attribute attribute(H5Aopen(out.file(), schema::version, H5P_DEFAULT));
+  agree(out, attribute && H5Awrite(attribute.get(), hdf5_type<std::int64_t>(), values.data()) >= 0, "/");
 }
 
 void write_attribute(const ModelWriter& out, const std::string& object, const char* name, std::string_view text) {

@@ -27,6 +27,8 @@ void write_attribute(const ModelWriter& out, const std::string& object, const ch
 void write_attribute(const ModelWriter& out, const std::string& object, const char* name,
                      std::span<const std::int64_t> values);
 void write_attribute(const ModelWriter& out, const std::string& object, const char* name, std::string_view text);
+/// Makes the file one of another version of the format.
+void raise_version(const ModelWriter& out, const schema::Version& version);
 /// Writes a fixed-length ASCII string, as VTKHDF requires.
 void write_ascii(const ModelWriter& out, const std::string& object, const char* name, std::string_view text);
 

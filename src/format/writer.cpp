@@ -45,7 +45,8 @@ ModelWriter::ModelWriter(std::filesystem::path path, Access access)
   agree(*this, bool(file_), "/");
   make_room(0);
   write_attribute(*this, "/", schema::format, schema::format_name);
-  write_attribute(*this, "/", schema::version, std::array<std::int64_t, 2>{schema::major, schema::minor});
+  const auto [major, minor] = schema::usual;
+  write_attribute(*this, "/", schema::version, std::array<std::int64_t, 2>{major, minor});
 }
 
 void ModelWriter::create_part() {

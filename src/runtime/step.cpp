@@ -1,5 +1,6 @@
 #include "ritz/runtime/step.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "attempt.hpp"
@@ -107,6 +108,14 @@ bool all_finite(const State<Scalar>& state) {
          (!state.frame || (state.frame->origin.allFinite() && state.frame->rotation.coeffs().allFinite()));
 }
 
+/// Of the forces that were evaluated last.
+template <class Scalar>
+double evaluated_energy(const Integrator& integrator, const NewtonRoom<Scalar>& room) {
+  const auto* implicit = std::get_if<ImplicitStep<>>(&integrator.step);
+  const bool mean = implicit && implicit->rule == ForceRule::mean_of_step;
+  return static_cast<double>(mean ? room.mean.at_point.energy : room.at_point.energy);
+}
+
 template <class Scalar>
 Outcome step_in_parts(const Model<Scalar>& model, State<Scalar>& state, const StepLoad<Scalar>& load, Scalar dt,
                       Workspace<Scalar>& workspace, StepDerivative<Scalar>* derivative) {
@@ -131,6 +140,7 @@ Outcome step_in_parts(const Model<Scalar>& model, State<Scalar>& state, const St
       if (load.position) outcome.work += static_cast<double>(room.position_force.dot(room.delta));
       outcome.dissipated += static_cast<double>(room.residual.dot(room.delta) / (width * dt));
       outcome.error += tried.error;
+      outcome.elastic = std::max(outcome.elastic, evaluated_energy(workspace.integrator, room));
       at += width;
       if (width < 1 && std::fmod(at, 2 * width) == 0) width *= 2;
       continue;

@@ -60,6 +60,7 @@ void describe_body(const format::ModelReader& in, const std::string& name, std::
   if (const auto modes = format::read_modes(in, name)) describe_modes(*modes, out);
   if (const auto reduction = format::read_reduction(in, name)) describe_reduction(*reduction, out);
   if (const auto polynomial = format::read_polynomial(in, name)) describe_polynomial(*polynomial, out);
+  if (const auto cubature = format::read_cubature(in, name)) describe_cubature(*cubature, out);
   if (const auto inertia = format::read_inertia(in, name)) describe_inertia(*inertia, out);
   describe_loads(format::read_loads(in, name), out);
 }
@@ -101,7 +102,7 @@ void describe(const format::ModelReader& in, std::ostream& out) {
   const auto datasets = format::contents(in);
   std::uint64_t bytes = 0;
   for (const auto& d : datasets) bytes += d.bytes;
-  out << printable(in.name()) << ": a ritz model, format " << format::schema::major << '.' << in.minor_version() << ", "
+  out << printable(in.name()) << ": a ritz model, format " << in.version().major << '.' << in.version().minor << ", "
       << datasets.size() << " datasets, " << byte_size(bytes) << " of data\n";
   for (const auto& name : in.bodies()) describe_body(in, name, out);
   describe_provenance(in, out);

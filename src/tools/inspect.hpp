@@ -29,6 +29,7 @@ void describe_modes(const model::Modes& modes, std::ostream& out);
 void describe_reduction(const model::Reduction& reduction, std::ostream& out);
 /// Counts of coefficients and their size.
 void describe_polynomial(const model::Polynomial& polynomial, std::ostream& out);
+void describe_cubature(const model::Cubature& cubature, std::ostream& out);
 /// Mass, centre, tensor, and the effective masses of U's columns.
 void describe_inertia(const model::Inertia& inertia, std::ostream& out);
 void describe_loads(const std::vector<model::SetLoad>& loads, std::ostream& out);

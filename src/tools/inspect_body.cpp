@@ -144,6 +144,21 @@ void describe_inertia(const model::Inertia& inertia, std::ostream& out) {
   }
 }
 
+void describe_cubature(const model::Cubature& c, std::ostream& out) {
+  out << heading("cubature") << "of " << grouped(std::ssize(c.cells)) << " cells with " << grouped(c.volumes.size())
+      << " points" << (c.integrand == model::Integrand::energy ? "" : ", of what the polynomial lacks") << '\n';
+  item(out) << formatted("tested up to an elastic energy of %.4g J; weights %.3g to %.3g\n", c.largest_energy,
+                         c.weights.minCoeff(), c.weights.maxCoeff());
+  item(out) << "relative error of forces in the energy norm, in %: root mean square, and largest\n";
+  item(out) << "  cells      training            new lifts           new statics\n";
+  for (const auto& [cells, training, lifts, statics] : c.errors) {
+    item(out) << formatted("%7lld", static_cast<long long>(cells));
+    for (const auto* e : {&training, &lifts, &statics})
+      out << formatted(" %9.3g %9.3g", 100 * e->mean_square_root, 100 * e->largest);
+    out << '\n';
+  }
+}
+
 void describe_loads(const std::vector<model::SetLoad>& loads, std::ostream& out) {
   if (loads.empty()) return;
   out << heading("loads") << "on " << loads.size() << " sets\n";

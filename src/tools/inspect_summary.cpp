@@ -101,6 +101,7 @@ Json::Object body_members(const format::ModelReader& in, const std::string& name
           {"modes", modes ? Json(format::summary(*modes, over_modes)) : Json(nullptr)},
           {"basis", or_null(reduction)},
           {"polynomial", or_null(format::read_polynomial(in, name))},
+          {"cubature", or_null(format::read_cubature(in, name))},
           {"loads", loads(format::read_loads(in, name))},
           {"report", report(format::read_report(in, name))}};
 }
@@ -117,7 +118,7 @@ files::Json summary(const format::ModelReader& in, const std::optional<std::vect
                                       .all_ranks = memory,
                                       .warnings = {}});
   const auto provenance = format::read_provenance(in);
-  members.emplace_back("model_format", Json::Array{format::schema::major, in.minor_version()});
+  members.emplace_back("model_format", Json::Array{in.version().major, in.version().minor});
   members.emplace_back("provenance", Json::Object{{"program", provenance.program},
                                                   {"ranks", provenance.ranks},
                                                   {"versions", words(provenance.versions)},

@@ -91,7 +91,7 @@ void refuse_unfit(const RunOptions& options, const RunBody& body) {
   const auto* time = std::get_if<scene::Time>(&body.scene.analysis);
   if (const auto left_out = world::left_out_motions(body.scene, *body.model))
     refuse(*left_out, body.model_file.string());
-  const bool nonlinear = body.model->polynomial.has_value();
+  const bool nonlinear = is_nonlinear(*body.model);
   if (nonlinear && time && time->integrator == scene::Integrator::exact)
     throw InputError(
         "the integrator 'exact' is for linear models, and this one is nonlinear: choose avf, implicit-euler, newmark, "
@@ -163,7 +163,7 @@ void say(const BodyResult& of, const scene::Scene& scene, std::int64_t frames, s
   out << who(body) << result.steps << (timed ? " steps" : " load steps") << " of " << world::reduced_size(*body.model)
       << " coordinates in " << std::setprecision(3) << result.seconds << " s, "
       << 1e6 * result.seconds / static_cast<double>(result.steps) << " µs a step; ";
-  if (body.model->polynomial)
+  if (is_nonlinear(*body.model))
     out << result.iterations << " Newton iterations, " << result.rejected << " steps rejected; ";
   out << frames << " frames in " << output.string() << '\n';
   if (result.energy) out << who(body) << balance_line(*result.energy) << '\n';
@@ -269,6 +269,7 @@ Played play(const RunOptions& options, const scene::Scene& scene, std::vector<Ru
                              .result = results[i],
                              .output = written ? output_of(options, bodies[i]) : "",
                              .inverted_cells = told ? inside_out(bodies[i].model->geometry, recorder->latest(i)) : 0});
+    if (results[i].beyond) warnings.push_back(who(bodies[i]) + warning(*results[i].beyond, scene));
     if (results[i].gain)
       warnings.push_back(who(bodies[i]) + warning(*results[i].gain, std::string(results[i].integrator)));
   }

@@ -52,7 +52,11 @@ model::Body read_body(const format::ModelReader& in, const std::string& name, co
   body.reduction = format::read_reduction(in, body.name);
   body.modes = format::read_modes(in, body.name);
   const bool lacks_motions = world::lacks_motions(body);
-  if (forces == Forces::stored) body.polynomial = format::read_polynomial(in, body.name);
+  if (forces == Forces::stored) {
+    body.polynomial = format::read_polynomial(in, body.name);
+    body.cubature = format::read_cubature(in, body.name);
+    if (body.cubature) body.geometry.materials = format::read_materials(in, body.name);
+  }
   if (frames == Frames::some || any_target<std::int64_t>(scene) || lacks_motions) {
     body.geometry = format::read_geometry(in, body.name);
     body.basis = format::read_basis(in, {}, body.name);

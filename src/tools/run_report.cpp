@@ -15,14 +15,14 @@ constexpr const char* not_finite_linear = ", is not finite: the loads are too la
 
 std::string end_of_time(const world::Failure& failure, const model::Body& body) {
   const std::string at = "step " + std::to_string(failure.step) + ", t = " + std::to_string(failure.t);
-  if (!body.polynomial) return at + not_finite_linear;
+  if (!is_nonlinear(body)) return at + not_finite_linear;
   return at + (failure.cause == world::Cause::not_finite
-                   ? " s, is not finite: the loads are too large"
+                   ? " s, is not finite: the loads are too large, or turn a cell inside out"
                    : " s, does not converge, nor do its halves: take shorter steps");
 }
 
 std::string end_of_statics(const world::Failure& failure, const model::Body& body) {
-  if (!body.polynomial)
+  if (!is_nonlinear(body))
     return "load step " + std::to_string(failure.step) + ", t = " + std::to_string(failure.t) + not_finite_linear;
   std::ostringstream text;
   text << "statics reached load fraction " << failure.t << " and no further: ";
@@ -105,9 +105,24 @@ std::string warning(const world::EnergyGain& gain, const std::string& integrator
   return text.str();
 }
 
+std::string warning(const world::BeyondTraining& beyond, const scene::Scene& scene) {
+  std::ostringstream text;
+  text.precision(3);
+  if (std::holds_alternative<scene::Time>(scene.analysis)) text << "from t = " << beyond.since << " s";
+  else text << "from the load fraction " << beyond.since;
+  text << " on the body is deformed beyond the poses that its cubature was trained on (up to " << beyond.largest
+       << " times their elastic energy), where its error is not known: reduce it with a larger -cubature_amplitude";
+  return text.str();
+}
+
 namespace {
 
 using files::Json;
+
+Json beyond(const std::optional<world::BeyondTraining>& beyond) {
+  if (!beyond) return nullptr;
+  return Json::Object{{"since", beyond->since}, {"largest", beyond->largest}};
+}
 
 Json energy(const std::optional<world::EnergyBalance>& balance) {
   if (!balance) return nullptr;
@@ -136,7 +151,8 @@ Json::Object members(const Summarised& run, const BodyResult& body) {
           {"frames", run.frames},
           {"inverted_cells", body.inverted_cells},
           {"energy", energy(body.result.energy)},
-          {"step_errors", errors(body.result.errors)}};
+          {"step_errors", errors(body.result.errors)},
+          {"beyond_training", beyond(body.result.beyond)}};
 }
 
 }  // namespace

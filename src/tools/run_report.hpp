@@ -34,6 +34,8 @@ std::string overdamped(const scene::Damping& damping);
 std::string error_line(const world::StepErrors& errors);
 
 /// A sentence that names integrators which hold the energy.
+
+std::string warning(const world::BeyondTraining& beyond, const scene::Scene& scene);
 std::string warning(const world::EnergyGain& gain, const std::string& integrator);
 
 /// What came of a body.

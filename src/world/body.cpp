@@ -12,6 +12,9 @@ template <class Scalar>
 runtime::Model<Scalar> make_model(const model::Body& body, const scene::Damping& damping) {
   const auto& [alpha, beta, ratio] = damping;
   const runtime::Damping damped{.alpha = alpha, .beta = beta, .ratio = ratio};
+  if (body.cubature)
+    return runtime::make_model<Scalar>(*body.cubature, body.geometry.materials,
+                                       body.polynomial ? &*body.polynomial : nullptr, damped);
   if (body.polynomial) return runtime::make_model<Scalar>(*body.polynomial, damped);
   return body.reduction ? runtime::make_model<Scalar>(*body.reduction, damped)
                         : runtime::make_model<Scalar>(*body.modes, damped);

@@ -41,6 +41,14 @@ void add(const runtime::Outcome& outcome, const runtime::State<Scalar>& state, R
   errors.displacement = std::max(errors.displacement, static_cast<double>(state.z().norm()));
 }
 
+/// `elastic`: the internal energy at t, J.
+void compare_with_training(const std::optional<model::Cubature>& cubature, double t, double elastic,
+                           RunResult& result) {
+  if (!cubature || !(elastic > cubature->largest_energy)) return;
+  if (!result.beyond) result.beyond = BeyondTraining{.since = t};
+  result.beyond->largest = std::max(result.beyond->largest, elastic / cubature->largest_energy);
+}
+
 /// Looks at the energy of a nonlinear motion, now and then.
 template <class Scalar>
 class Watch {
@@ -145,6 +153,7 @@ class Moving {
       : scene_(scene),
         time_(std::get<scene::Time>(scene.analysis)),
         observer_(*actor.observer),
+        cubature_(actor.body->cubature),
         load_(reduce_loads(scene, *actor.body)),
         force_(model->size()),
         end_(model->size()) {
@@ -183,6 +192,7 @@ class Moving {
     }
     done_ = n;
     if (watch_) watch_->after(n, t, outcome);
+    compare_with_training(cubature_, t, outcome.elastic, result_);
     add(outcome, instance_.state, result_);
     tell();
     return true;
@@ -218,6 +228,7 @@ class Moving {
   const scene::Scene scene_;
   const scene::Time time_;
   const Observer& observer_;
+  const std::optional<model::Cubature>& cubature_;
   ReducedLoad load_;
   Eigen::VectorXd force_;
   runtime::Vector<Scalar> end_;
@@ -237,6 +248,7 @@ class Loading {
       : scene_(scene),
         model_(std::move(model)),
         observer_(*actor.observer),
+        cubature_(actor.body->cubature),
         load_(reduce_loads(scene, *actor.body)),
         workspace_(runtime::make_static_workspace<Scalar>(*model_)),
         force_(model_->size()),
@@ -267,6 +279,10 @@ class Loading {
     }
     begin_.swap(end_);
     from_ = t;
+    if (cubature_) {
+      runtime::evaluate<Scalar>(model_->force, z_, workspace_.at);
+      compare_with_training(cubature_, t, static_cast<double>(workspace_.at.energy), result_);
+    }
     observer_.state({.t = t, .z = state, .velocity = Eigen::VectorXd::Zero(state.size()), .acceleration = {}});
     return true;
   }
@@ -277,6 +293,7 @@ class Loading {
   const scene::Scene scene_;
   Shared<Scalar> model_;
   const Observer& observer_;
+  const std::optional<model::Cubature>& cubature_;
   ReducedLoad load_;
   runtime::StaticWorkspace<Scalar> workspace_;
   Eigen::VectorXd force_;

@@ -65,6 +65,30 @@ inline void expect_same(const std::optional<model::Polynomial>& a, const std::op
   EXPECT_EQ(a->quartic, b->quartic);
 }
 
+inline void expect_same(const std::optional<model::Cubature>& a, const std::optional<model::Cubature>& b) {
+  ASSERT_EQ(a.has_value(), b.has_value());
+  if (!a) return;
+  EXPECT_EQ(a->integrand, b->integrand);
+  EXPECT_EQ(a->cells, b->cells);
+  EXPECT_EQ(a->weights, b->weights);
+  EXPECT_EQ(a->regions, b->regions);
+  EXPECT_EQ(a->starts, b->starts);
+  EXPECT_EQ(a->volumes, b->volumes);
+  EXPECT_EQ(a->gradients, b->gradients);
+  EXPECT_EQ(a->largest_energy, b->largest_energy);
+  ASSERT_EQ(a->errors.size(), b->errors.size());
+  const auto same = [](const model::PoseErrors& one, const model::PoseErrors& other) {
+    EXPECT_EQ(one.mean_square_root, other.mean_square_root);
+    EXPECT_EQ(one.largest, other.largest);
+  };
+  for (std::size_t i = 0; i < a->errors.size(); ++i) {
+    EXPECT_EQ(a->errors[i].cells, b->errors[i].cells);
+    same(a->errors[i].training, b->errors[i].training);
+    same(a->errors[i].lifts, b->errors[i].lifts);
+    same(a->errors[i].statics, b->errors[i].statics);
+  }
+}
+
 inline void expect_same(const std::optional<model::Inertia>& a, const std::optional<model::Inertia>& b) {
   ASSERT_EQ(a.has_value(), b.has_value());
   if (!a) return;
@@ -112,6 +136,7 @@ inline void expect_same(const model::Body& a, const model::Body& b) {
   expect_same(a.modes, b.modes);
   expect_same(a.reduction, b.reduction);
   expect_same(a.polynomial, b.polynomial);
+  expect_same(a.cubature, b.cubature);
   expect_same(a.inertia, b.inertia);
   expect_same(a.loads, b.loads);
   expect_same(a.report, b.report);

@@ -19,7 +19,7 @@ model::Model without_mesh_errors() {
 
 TEST(Fixture, OfVersion10IsRead) {
   const ModelReader in(std::filesystem::path(RITZ_SOURCE "/tests/format/fixtures/model-1.0.h5"));
-  EXPECT_EQ(in.minor_version(), 0);
+  EXPECT_EQ(in.version().minor, 0);
   auto expected = without_mesh_errors();
   expected.bodies[0].geometry.materials[1].material.law = fem::StVK{1e6, .49};  // laws had no names then
   test::expect_same(read(in), expected);
@@ -29,7 +29,7 @@ TEST(Fixture, OfVersion10IsRead) {
 /// Before a file could have several bodies, what is now the first body's own was the file's.
 TEST(Fixture, OfVersion12IsRead) {
   const ModelReader in(std::filesystem::path(RITZ_SOURCE "/tests/format/fixtures/model-1.2.h5"));
-  EXPECT_EQ(in.minor_version(), 2);
+  EXPECT_EQ(in.version().minor, 2);
   test::expect_same(read(in), without_mesh_errors());
   for (const auto& info : contents(in)) EXPECT_NO_THROW(verify(in, info));
 }
@@ -37,7 +37,7 @@ TEST(Fixture, OfVersion12IsRead) {
 /// Before a reduction could have residual vectors, and modes an error by the mesh.
 TEST(Fixture, OfVersion13IsRead) {
   const ModelReader in(std::filesystem::path(RITZ_SOURCE "/tests/format/fixtures/model-1.3.h5"));
-  EXPECT_EQ(in.minor_version(), 3);
+  EXPECT_EQ(in.version().minor, 3);
   test::expect_same(read(in), without_mesh_errors());
   for (const auto& info : contents(in)) EXPECT_NO_THROW(verify(in, info));
 }

@@ -42,6 +42,22 @@ TEST(RoundTrip, KeepsAReductionAndItsPolynomial) {
   EXPECT_THROW(read(path), InputError);
 }
 
+TEST(RoundTrip, KeepsACubatureInAFileOfVersionTwo) {
+  const Folder folder;
+  const auto path = folder / "model.h5";
+  write(path, test::cubature_sample_model());
+  expect_same(read(path), test::cubature_sample_model());
+  EXPECT_EQ(ModelReader(path).version().major, 2);
+  auto model = test::cubature_sample_model();
+  model.bodies[0].polynomial.reset();
+  model.bodies[0].cubature->integrand = model::Integrand::energy;
+  model.bodies[0].cubature->errors.clear();
+  write(path, model);
+  expect_same(read(path), model);
+  write(path, test::nonlinear_sample_model());
+  EXPECT_EQ(ModelReader(path).version().major, 1);
+}
+
 // HDF5's own memory is suppressed where leaks are looked for: what this layer opens is counted here.
 TEST(RoundTrip, LeavesNothingOfHdf5Open) {
   const auto open = [] { return H5Fget_obj_count(static_cast<hid_t>(H5F_OBJ_ALL), H5F_OBJ_ALL); };

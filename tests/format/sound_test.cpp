@@ -23,7 +23,10 @@ class Sound : public testing::Test {
  protected:
   /// Both what --check does and reading everything refuse the model, and name `path`.
   void wrong(const char* path, const char* sentence, const std::function<void(model::Body&)>& change) const {
-    auto model = test::nonlinear_sample_model();
+    wrong_of(test::nonlinear_sample_model(), path, sentence, change);
+  }
+  void wrong_of(model::Model model, const char* path, const char* sentence,
+                const std::function<void(model::Body&)>& change) const {
     change(model.bodies[0]);
     write(folder_ / "model.h5", model);
     const auto refused = ThrowsMessage<InputError>(AllOf(HasSubstr(path), HasSubstr(sentence)));
@@ -119,6 +122,38 @@ TEST_F(Sound, PartsAgreeInTheirShapes) {
   wrong("polynomial", "columns of the basis", [](auto& b) {
     b.polynomial = model::Polynomial{1, Eigen::VectorXd::Zero(1), Eigen::VectorXd::Zero(1), Eigen::VectorXd::Zero(1)};
   });
+}
+
+TEST_F(Sound, ACubatureFitsItselfAndTheBody) {
+  const auto wrong = [&](const char* sentence, const std::function<void(model::Cubature&)>& change) {
+    wrong_of(test::cubature_sample_model(), "/cubature", sentence, [&](model::Body& b) { change(*b.cubature); });
+  };
+  wrong("no cells", [](auto& c) {
+    c.cells = c.regions = {};
+    c.starts = {0};
+    c.weights.resize(0);
+    c.volumes.resize(0);
+    c.gradients.resize(0, 2);
+  });
+  wrong("do not ascend", [](auto& c) { c.cells = {7, 7}; });
+  wrong("not positive", [](auto& c) { c.weights[1] = 0; });
+  wrong("finite", [](auto& c) { c.weights[1] = nan; });
+  wrong("finite", [](auto& c) { c.gradients(3, 1) = infinite; });
+  wrong("follow each other", [](auto& c) { c.starts = {0, 0, 3}; });
+  wrong("follow each other", [](auto& c) { c.starts = {1, 2, 3}; });
+  wrong("negative", [](auto& c) { c.regions[0] = -1; });
+  wrong("energy of the training", [](auto& c) { c.largest_energy = 0; });
+  wrong("an error is negative", [](auto& c) { c.errors[0].lifts.largest = -1; });
+  wrong("volumes", [](auto& c) { c.volumes.conservativeResize(2); });
+  wrong("gradients", [](auto& c) { c.gradients.conservativeResize(18, 2); });
+  wrong("columns of the basis", [](auto& c) { c.gradients.conservativeResize(27, 3); });
+  wrong("one too many", [](auto& c) { c.integrand = model::Integrand::energy; });
+  wrong_of(test::cubature_sample_model(), "/cubature", "polynomial is missing", [](auto& b) { b.polynomial.reset(); });
+  auto model = test::cubature_sample_model();
+  model.bodies[0].cubature->regions[1] = 2;
+  write(folder_ / "model.h5", model);
+  EXPECT_THAT([&] { check(ModelReader(folder_ / "model.h5")); },
+              ThrowsMessage<InputError>(HasSubstr("region without a material")));
 }
 
 /// What reading part by part cannot know: of the whole model.

@@ -6,6 +6,7 @@
 #include "ritz/runtime/step.hpp"
 #include "runtime/nonlinear_support.hpp"
 #include "support/allocations.hpp"
+#include "support/sample_cubature.hpp"
 
 namespace ritz::runtime {
 namespace {
@@ -63,6 +64,20 @@ TEST(Allocation, NoneInANonlinearStep) {
   expect_no_allocation<double>(7);
   expect_no_allocation<float>(7);
   expect_no_allocation<double>(40);
+}
+
+TEST(Allocation, NoneInAStepOfACubature) {
+  const auto sample = test::sample_cubature(7, 20, test::all_isotropic_laws(), model::Integrand::beyond_polynomial);
+  const Eigen::VectorXd z = Eigen::VectorXd::Constant(7, .3);
+  for (const auto& method : test::all_methods()) {
+    auto motion = test::start<double>(make_model<double>(sample.cubature, sample.materials, &sample.polynomial,
+                                                         {.alpha = 0.1, .beta = 0.01, .ratio = {}}),
+                                      method, 0.01, z, 1);
+    const auto before = allocations();
+    for (int n = 0; n < 3; ++n) motion.step();
+    motion.energy();
+    EXPECT_EQ(allocations(), before) << method.name;
+  }
 }
 
 TEST(Allocation, NoneWhereTheMatrixIsIndefinite) {

@@ -17,6 +17,22 @@ model::Model nonlinear_sample_model() {
   return m;
 }
 
+model::Model cubature_sample_model() {
+  auto m = nonlinear_sample_model();
+  auto& cubature = m.bodies[0].cubature.emplace();
+  cubature.integrand = model::Integrand::beyond_polynomial;
+  cubature.cells = {7, 12};
+  cubature.weights = Eigen::Vector2d(1.5, 20);
+  cubature.regions = {1, 1};
+  cubature.starts = {0, 1, 3};
+  cubature.volumes = Eigen::Vector3d(1e-6, 2e-6, 3e-6);
+  cubature.gradients = Eigen::MatrixXd::Zero(27, 2);
+  for (Eigen::Index p = 0; p < 3; ++p) cubature.gradients(9 * p + 8, 1) = .05;
+  cubature.largest_energy = 40;
+  cubature.errors = {{1, {.5, .75}, {.25, .5}, {.125, .25}}, {2, {.01, .02}, {.03, .04}, {.05, .06}}};
+  return m;
+}
+
 model::Model two_body_model() {
   auto m = sample_model();
   auto& arm = m.bodies.emplace_back(nonlinear_sample_model().bodies[0]);

@@ -11,6 +11,9 @@ model::Polynomial sample_polynomial();
 
 model::Model nonlinear_sample_model();
 
+/// The same with a cubature of two cells of rubber, which the right mass stretches along z; its training ends at 40 J.
+model::Model cubature_sample_model();
+
 /// The sample, and as a second body the one of hardening springs, elsewhere and of a name that is no plain link.
 model::Model two_body_model();
 

@@ -106,6 +106,14 @@ TEST_F(Inspect, TellsAndChecksAReductionAndItsPolynomial) {
   wrong("does not ascend", [](auto& b) { b.reduction->stiffness << 9, 4; });
 }
 
+TEST_F(Inspect, TellsTheErrorsOfACubature) {
+  EXPECT_THAT(described(test::cubature_sample_model()),
+              AllOf(HasSubstr("format 2.0"), HasSubstr("2 cells with 3 points, of what the polynomial lacks"),
+                    HasSubstr("elastic energy of 40 J; weights 1.5 to 20"),
+                    HasSubstr("      2         1         2         3         4         5         6\n")));
+  EXPECT_THAT(checked(test::cubature_sample_model()), HasSubstr("ok  the polynomial's K̃(0) = UᵀKU"));
+}
+
 TEST_F(Inspect, TellsAndChecksEachOfTwoBodies) {
   const auto told = described(test::two_body_model());
   for (const auto* line :

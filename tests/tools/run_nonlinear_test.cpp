@@ -10,6 +10,7 @@
 namespace ritz::tools {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -170,6 +171,34 @@ TEST(RunNonlinear, RefusesWhatIsForLinearModels) {
   expect_refusal(
       folder.prepare("[time]\nstep = 1\nend = 3\nintegrator = 'central-difference'\n", test::nonlinear_sample_model()),
       "unstable");
+}
+
+TEST(RunNonlinear, WarnsOnceBeyondTheTrainingOfACubature) {
+  const test::RunFolder folder;
+  const auto said = [&](const std::string& analysis, double force) {
+    return test::run(folder.prepare(analysis + load(force * root2), test::cubature_sample_model()));
+  };
+  const std::string time = "[time]\nstep = 1e-2\nend = 1\n", statics = "[static]\nsteps = 4\n";
+  EXPECT_THAT(said(time, 10), Not(HasSubstr("trained")));
+  const auto warned = said(time, 60);
+  EXPECT_THAT(warned, AllOf(HasSubstr("from t = 0."), HasSubstr("beyond the poses that its cubature was trained on")));
+  EXPECT_EQ(warned.find("trained"), warned.rfind("trained"));
+  EXPECT_THAT(said(statics, 90), HasSubstr("from the load fraction 1 on"));
+}
+
+TEST(RunNonlinear, ReadsACubatureForItsForcesAlone) {
+  const test::RunFolder folder;
+  auto with = test::cubature_sample_model();
+  const auto tip = [&](const model::Model& model, tools::Forces forces) {
+    auto options = folder.prepare("[static]\nsteps = 1\n" + load(30 * root2) + probe, model);
+    options.forces = forces;
+    test::run(options);
+    return test::read_csv(folder / "probes.csv").rows.back()[3];
+  };
+  const double stretched = tip(with, Forces::stored), linear = tip(with, Forces::linear);
+  with.bodies[0].cubature.reset();
+  EXPECT_NE(tip(with, Forces::stored), stretched);
+  EXPECT_EQ(tip(with, Forces::linear), linear);
 }
 
 }  // namespace

@@ -45,6 +45,9 @@ void write_geometry(ModelWriter& out, const model::Geometry& mine, const Geometr
                     std::string_view body = schema::default_body);
 model::Geometry read_geometry(const ModelReader& in, std::string_view body = schema::default_body);
 
+/// The materials of the geometry alone; empty where none are stored.
+std::vector<model::RegionMaterial> read_materials(const ModelReader& in, std::string_view body = schema::default_body);
+
 /// Writes column `column` of U, 1/√kg, to `values`: three numbers for each vertex of this rank, the components of one
 /// vertex together.
 using ColumnSource = std::function<void(Index column, std::span<double> values)>;
@@ -104,6 +107,11 @@ void write_polynomial(ModelWriter& out, const model::Polynomial& polynomial,
                       std::string_view body = schema::default_body);
 /// Absent when the body has no such part.
 std::optional<model::Polynomial> read_polynomial(const ModelReader& in, std::string_view body = schema::default_body);
+
+/// Raises the file's version, because readers of version 1 know no cubature.
+void write_cubature(ModelWriter& out, const model::Cubature& cubature, std::string_view body = schema::default_body);
+/// Absent when the body has no such part.
+std::optional<model::Cubature> read_cubature(const ModelReader& in, std::string_view body = schema::default_body);
 
 void write_inertia(ModelWriter& out, const model::Inertia& inertia, std::string_view body = schema::default_body);
 /// Absent when the body has no such part.

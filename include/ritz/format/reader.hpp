@@ -32,12 +32,12 @@ class ModelReader : public StoredFile {
   /// Whether the body has the part `part`: schema::geometry, basis, modes, reduction, polynomial, inertia or loads.
   bool has(std::string_view part, std::string_view body = schema::default_body) const;
 
-  int minor_version() const { return minor_; }
+  const schema::Version& version() const { return version_; }
 
  private:
   void check_root();
 
-  int minor_ = 0;
+  schema::Version version_ = {0, 0};
 };
 
 struct DatasetInfo {

@@ -9,8 +9,15 @@
 namespace ritz::format::schema {
 
 inline constexpr std::string_view format_name = "ritz-model";
-inline constexpr int major = 1;  ///< raised when an older reader would misread the file
-inline constexpr int minor = 4;  ///< raised when something is added that an older reader may ignore
+
+/// The version of the format. A file is written as the oldest one whose readers understand all that it has.
+struct Version {
+  std::int64_t major;  ///< raised when an older reader would misread the file
+  std::int64_t minor;  ///< raised when something is added that an older reader may ignore
+};
+inline constexpr Version usual = {1, 4};
+inline constexpr Version with_cubature = {2, 0};  ///< a reader of version 1 would take the polynomial for the whole
+inline constexpr std::int64_t newest_major = 2;
 
 // Attributes of the root.
 inline constexpr auto format = "format";
@@ -31,6 +38,7 @@ inline constexpr std::string_view basis = "basis";
 inline constexpr std::string_view modes = "modes";
 inline constexpr std::string_view reduction = "reduction";
 inline constexpr std::string_view polynomial = "polynomial";
+inline constexpr std::string_view cubature = "cubature";
 inline constexpr std::string_view inertia = "inertia";
 inline constexpr std::string_view loads = "loads";
 inline constexpr std::string_view default_body = "body";
@@ -87,6 +95,18 @@ inline constexpr auto residual_vectors = "residual_vectors";
 inline constexpr auto quadratic = "quadratic";
 inline constexpr auto cubic = "cubic";
 inline constexpr auto quartic = "quartic";
+
+// cubature
+inline constexpr auto integrand = "integrand";
+inline constexpr auto largest_energy = "largest_energy";
+inline constexpr auto numbers = "cells";
+inline constexpr auto weights = "weights";
+inline constexpr auto cell_regions = "regions";
+inline constexpr auto starts = "starts";
+inline constexpr auto volumes = "volumes";
+inline constexpr auto gradients = "gradients";
+inline constexpr auto error_cells = "errors/cells";
+inline constexpr auto error_figures = "errors/figures";
 
 // inertia
 inline constexpr auto origin = "origin";

@@ -17,6 +17,8 @@ files::Json::Object summary(const model::Modes& modes, const model::Inertia* ove
 files::Json::Object summary(const model::Reduction& reduction);
 /// Numbers of coordinates and of coefficients.
 files::Json::Object summary(const model::Polynomial& polynomial);
+/// Numbers of cells and points, and the errors of the training.
+files::Json::Object summary(const model::Cubature& cubature);
 /// Centre of mass and inertia tensor.
 files::Json::Object summary(const model::Inertia& inertia);
 

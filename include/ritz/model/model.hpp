@@ -211,6 +211,9 @@ struct Body {
   Report report;
 };
 
+/// Whether the body has forces of large displacements: a polynomial, a cubature or both.
+inline bool is_nonlinear(const Body& body) { return body.polynomial || body.cubature; }
+
 /// The run that wrote a model: its program, the versions of libraries, and its options.
 struct Provenance {
   std::string program;                                        ///< "ritz-reduce 0.1.0"

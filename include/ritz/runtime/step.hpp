@@ -62,6 +62,9 @@ struct Outcome {
   int rejected = 0;       ///< attempts that failed and were halved
   double work = 0;        ///< of the loads, J: Σ δ·((f_n + f_{n+1})/2 + position force); NaN for steps from a table
   double dissipated = 0;  ///< by damping, J: Σ δ·D δ/Δt; NaN for steps from a table
+  /// The internal energy where the step evaluated forces last, J; of a step in parts the largest. 0 for steps from a
+  /// table.
+  double elastic = 0;
   /// The estimated local error of z, √kg m: what the step adds to ‖z − exact z‖, of a carried body to that of its
   /// deformation; NaN where the method has no estimate, and for steps from a table.
   double error = std::numeric_limits<double>::quiet_NaN();

@@ -11,8 +11,8 @@ namespace ritz::world {
 /// The number r of reduced coordinates: those of the reduction, or without one the number of modes.
 Eigen::Index reduced_size(const model::Body& body);
 
-/// The equation of motion of a stored body: that of its polynomial if it has one, else the linear one (small
-/// displacements) of its reduction or its modes. Throws InputError as runtime::make_model does.
+/// The equation of motion of a stored body: that of its cubature or its polynomial if it has one, else the linear one
+/// (small displacements) of its reduction or its modes. Throws InputError as runtime::make_model does.
 template <class Scalar = double>
 runtime::Model<Scalar> make_model(const model::Body& body, const scene::Damping& damping = {});
 

@@ -1,4 +1,4 @@
-// Whether a motion gains energy that the loads did not put in.
+// Whether a motion gains energy that the loads did not put in, and whether it has more than its model was made for.
 #pragma once
 #include <optional>
 
@@ -20,6 +20,12 @@ struct EnergyBalance {
 struct EnergyGain {
   double since = 0;    ///< when it first did, s
   double largest = 0;  ///< the largest ratio of the drift to the available energy
+};
+
+/// A motion went beyond the poses that its cubature was trained on: its elastic energy exceeded all of theirs.
+struct BeyondTraining {
+  double since = 0;    ///< when it first did: time, s, or load fraction
+  double largest = 0;  ///< the largest ratio of its elastic energy to the largest of the training
 };
 
 /// Adds up the work of all steps, and compares the energy whenever it is given.

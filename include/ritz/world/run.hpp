@@ -100,6 +100,7 @@ struct RunResult {
   std::optional<EnergyBalance> energy;        ///< only for nonlinear motions
   std::optional<StepErrors> errors;           ///< only of integrators that estimate them, for nonlinear motions
   std::optional<EnergyGain> gain;             ///< present if a nonlinear motion gained energy without work
+  std::optional<BeyondTraining> beyond;       ///< present if a cubature was taken beyond its training
   std::optional<Checkpoint> last;             ///< where a motion ended
   std::optional<Failure> failure;             ///< present if the run ended early
 };
