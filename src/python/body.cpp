@@ -27,7 +27,10 @@ LoadedBody read(const std::filesystem::path& file, const std::string& name, cons
   format::check_complete(in, which);
   auto body = std::make_shared<model::Body>(format::read_body(in, which));
   format::check_witnesses(in, *body);
-  if (linear) body->polynomial.reset();
+  if (linear) {
+    body->polynomial.reset();
+    body->cubature.reset();
+  }
   return {std::move(body), file};
 }
 
@@ -121,6 +124,9 @@ void define_body(py::module_& module) {
       .def_property_readonly(
           "polynomial", [](const LoadedBody& body) { return part(body, body.value->polynomial); },
           "the energy of large displacements; None for small ones")
+      .def_property_readonly(
+          "cubature", [](const LoadedBody& body) { return part(body, body.value->cubature); },
+          "the energy of laws that are no polynomials; None where there is none")
       .def_property_readonly(
           "inertia", [](const LoadedBody& body) { return part(body, body.value->inertia); },
           "the inertia of the whole body")

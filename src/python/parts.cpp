@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "exchange.hpp"
+#include "ritz/format/names.hpp"
 #include "ritz/model/model.hpp"
 
 namespace ritz::python {
@@ -31,10 +32,20 @@ auto member(Member Value::*which) {
   return [which](const py::object& self) { return view(self, self.cast<const Value&>().*which); };
 }
 
+Eigen::MatrixXd error_rows(const std::vector<model::CubatureError>& errors) {
+  Eigen::MatrixXd rows(std::ssize(errors), 7);
+  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+    const auto& [cells, training, lifts, statics] = errors[static_cast<std::size_t>(i)];
+    rows.row(i) << static_cast<double>(cells), training.mean_square_root, training.largest, lifts.mean_square_root,
+        lifts.largest, statics.mean_square_root, statics.largest;
+  }
+  return rows;
+}
+
 }  // namespace
 
 void define_parts(py::module_& module) {
-  using model::Inertia, model::Modes, model::Polynomial, model::Reduction, model::Report;
+  using model::Cubature, model::Inertia, model::Modes, model::Polynomial, model::Reduction, model::Report;
   py::class_<Modes, std::shared_ptr<Modes>>(module, "Modes", "The k modes of K psi = lambda M psi, rigid ones first.")
       .def_property_readonly("eigenvalues", member(&Modes::eigenvalues),
                              "lambda, (k,), rad2/s2, ascending; 0 for a rigid mode")
@@ -81,6 +92,31 @@ void define_parts(py::module_& module) {
       .def_property_readonly("quadratic", member(&Polynomial::quadratic), "A, (r(r+1)/2,), 1/s2")
       .def_property_readonly("cubic", member(&Polynomial::cubic), "B, (r(r+1)(r+2)/6,), 1/(s2 m sqrt(kg))")
       .def_property_readonly("quartic", member(&Polynomial::quartic), "C, (r(r+1)(r+2)(r+3)/24,), 1/(s2 m2 kg)");
+
+  py::class_<Cubature, std::shared_ptr<Cubature>>(
+      module, "Cubature",
+      "The energy of any law over U, summed over T cells with P points together; beside a polynomial what that one "
+      "lacks.")
+      .def_property_readonly(
+          "integrand", [](const Cubature& cubature) { return std::string(format::name(cubature.integrand)); },
+          "'energy', or 'beyond-polynomial' where the body has a polynomial, too")
+      .def_property_readonly(
+          "cells", [](const py::object& self) { return view(self, self.cast<const Cubature&>().cells); },
+          "the mesh file's numbers of the cells, (T,), ascending")
+      .def_property_readonly("weights", member(&Cubature::weights), "of the cells, (T,), > 0")
+      .def_property_readonly(
+          "starts", [](const py::object& self) { return view(self, self.cast<const Cubature&>().starts); },
+          "cell c has the points starts[c] ... starts[c + 1], (T + 1,)")
+      .def_property_readonly("volumes", member(&Cubature::volumes), "of the points, (P,), m3")
+      .def_property_readonly("gradients", member(&Cubature::gradients),
+                             "row 9p + 3j + i: du_i/dX_j of the columns of U at point p, (9P, r), 1/(m sqrt(kg))")
+      .def_readonly("largest_energy", &Cubature::largest_energy,
+                    "of the poses of the training, J: beyond it the error is not known")
+      .def_property_readonly(
+          "errors", [](const Cubature& cubature) { return copied(error_rows(cubature.errors)); },
+          "relative errors of forces in the energy norm, a row for each number of cells tried, the last for this "
+          "cubature: cells, then root mean square and largest of training, held-out lifts and held-out statics, "
+          "(q, 7); a new array");
 
   py::class_<Inertia, std::shared_ptr<Inertia>>(module, "Inertia", "The inertia of the whole body.")
       .def_property_readonly("gram", member(&Inertia::gram),

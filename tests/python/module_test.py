@@ -469,6 +469,25 @@ class Reduced(InAFolder):
             body.equation().equilibrium(body.unit_force("xmax") @ [-3e4, 0, 0], steps=4)
         self.assertEqual(str(caught.exception), said)
 
+    def test_a_cubature_is_the_sum_that_it_says(self):
+        rubber = ["-material_law", "neo-hookean", "-cubature_plain", "-material_young", "1e6", "-material_poisson", ".25"]
+        bar = [word for word in self.BAR if word != "-polynomial"]
+        self.reduce(*bar, "-fix", "xmin", *rubber, "-material_density", "1e3", ranks=0)
+        body = ritz.read(self.folder / "model.h5")
+        cubature = body.cubature
+        self.assertIsNone(body.polynomial)
+        self.assertEqual(cubature.integrand, "energy")
+        self.assertEqual(cubature.errors[-1, 0], len(cubature.cells))
+        self.assertLess(max(cubature.errors[-1, [3, 5]]), 1e-3)
+        self.assertFalse(cubature.gradients.flags.writeable)
+        z = np.linspace(-1, 1, body.r) / np.arange(1, body.r + 1) ** 3
+        F = np.eye(3) + (cubature.gradients @ z).reshape(-1, 3, 3).transpose(0, 2, 1)
+        log = np.log(np.linalg.det(F))
+        energy = 4e5 * ((np.einsum("pij,pij->p", F, F) - 3) / 2 - log + log**2 / 2)  # both of Lame's constants are 4e5 Pa
+        weights = np.repeat(cubature.weights, np.diff(cubature.starts)) * cubature.volumes
+        self.assertAlmostEqual(body.equation().energy(z) / (weights @ energy), 1, delta=1e-10)
+        self.assertIsNone(ritz.read(self.folder / "model.h5", forces="linear").cubature)
+
     def test_a_free_body_is_not_moved_in_silence(self):
         self.reduce(*self.BAR, "-fix", "none", ranks=0)
         scene = {"time": {"step": .05, "end": 1}, "gravity": [0, 0, -9.81]}
