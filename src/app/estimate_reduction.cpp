@@ -24,6 +24,10 @@ constexpr double newton_steps = 4 * 5;       ///< of a static path of the full m
 constexpr double searched_modes = 8;         ///< about, in the search for a basis of some accuracy
 constexpr double searched_columns = 20;      ///< the same
 constexpr double strains = 6;                ///< components
+constexpr double held_out_poses = 40;        ///< on which a cubature is tested
+constexpr double most_candidates = 20000;    ///< cells that may enter it
+constexpr double cubature_iterations = 40;   ///< about, of its least squares
+constexpr double law_flops = 200;            ///< of the response at a point
 
 /// Quadrature points of the rank that has most, as each loop over cells counts them.
 struct Points {
@@ -87,7 +91,7 @@ Vectors vectors_of(const Workload& work) {
   v.columns = std::min({v.columns, v.all(), work.dofs});
   if (options.cut.size > 0) v.columns = std::min<double>(v.columns, options.cut.size);
   v.columns += residual_columns(work);
-  if (work.config.forces == config::ReducedForces::polynomial)
+  if (work.config.forces != config::ReducedForces::none)
     v.columns = std::min(v.columns, static_cast<double>(stages::most_coordinates));
   return v;
 }
@@ -135,8 +139,21 @@ Estimate polynomial(const Workload& work, const ModesEstimate& modes, const Poin
           number_of(r, "coordinate, ", "coordinates, ") + number_of(terms, "term of a strain", "terms of a strain")};
 }
 
+/// Forces of all cells at all poses, then the candidates' columns, which every iteration reads once.
+Estimate cubature(const Workload& work, const ModesEstimate& modes, const Points& points, const Vectors& v) {
+  const double r = v.columns, poses = work.config.cubature.poses + held_out_poses;
+  const double cells = static_cast<double>(work.problem.mesh.cells_total);
+  const double candidates = std::min(cells, most_candidates) / work.ranks;
+  const double numbers = candidates * work.config.cubature.poses * r;
+  const double projections = points.owned * poses * (36 * r + law_flops / loop_efficiency);
+  const double seconds = (projections + cubature_iterations * 2 * numbers / loop_efficiency) / work.rate;
+  return {
+      "cubature", seconds, work.held + modes.inverse_memory + 8 * work.rows * (v.modes + 4 * r) + 4 * numbers,
+      number_of(poses, "pose, ", "poses, ") + number_of(std::min(cells, most_candidates), "candidate", "candidates")};
+}
+
 Estimate witness(const Workload& work, const ModesEstimate& modes, const Points& points, const Vectors& v) {
-  const bool taylor = v.derivatives > 0, force = work.config.forces == config::ReducedForces::polynomial;
+  const bool taylor = v.derivatives > 0, force = work.config.forces != config::ReducedForces::none;
   const double columns = (taylor ? taylor_columns : 0) + (force ? polynomial_columns : 0);
   const double pairs = taylor ? pair_count(3) : 0;
   const double seconds =
@@ -163,9 +180,10 @@ std::vector<Estimate> estimate_stages(const Workload& work, const std::optional<
   const Points points = points_of(work.problem.mesh);
   const Vectors vectors =
       earlier ? Vectors{.columns = static_cast<double>(earlier->reduced.U.cols())} : vectors_of(work);
-  const bool forces = work.config.forces == config::ReducedForces::polynomial;
+  const bool forces = work.config.forces != config::ReducedForces::none;
   if (!earlier) stages.push_back(basis(work, modes, points, vectors));
   if (forces) stages.push_back(polynomial(work, modes, points, vectors));
+  if (forces && !fem::force_degree(work.problem.materials)) stages.push_back(cubature(work, modes, points, vectors));
   if (forces || vectors.derivatives > 0) stages.push_back(witness(work, modes, points, vectors));
   return stages;
 }

@@ -43,15 +43,11 @@ void refuse_an_empty_model(const config::Config& config, const mesh::Mesh& mesh,
         "-modes, or give -snapshots, whose basis needs none");
 }
 
-void refuse_forces_without_polynomial(const config::Config& config, const mesh::Mesh& mesh,
-                                      const fem::Materials& materials) {
-  if (config.forces == config::ReducedForces::none) return;
-  for (std::size_t r = 0; r < materials.size(); ++r)
-    if (!fem::force_degree({materials[r]}))
-      throw InputError(std::string("option ") + (config.accuracy ? "-accuracy" : "-polynomial") + ": region '" +
-                       mesh.regions[r].name + "' is " + fem::name(materials[r].law) +
-                       ", whose forces are no polynomial; leave the option out, or give -material_law " +
-                       fem::default_law);
+void refuse_needless_cubature(const config::Config& config, const fem::Materials& materials) {
+  if (config.forces == config::ReducedForces::cubature && fem::force_degree(materials))
+    throw InputError(
+        "option -cubature: the forces of all materials are polynomials (stvk or stvk-orthotropic), which -polynomial "
+        "reduces exactly; give -polynomial in its place");
 }
 
 void refuse_unknown_mesh_errors(const config::Config& config, const mesh::Mesh& mesh) {
@@ -99,7 +95,7 @@ void reduce(MPI_Comm comm, const config::Config& config) {
 
   refuse_an_empty_model(config, body, numbering);
   refuse_unknown_mesh_errors(config, body);
-  refuse_forces_without_polynomial(config, body, laws);
+  refuse_needless_cubature(config, laws);
   const auto residual = residual_places(config, body);
   const auto problem = progress.stage(
       "assemble", [&] { return stages::assemble(std::move(body), std::move(numbering), std::move(laws)); });
@@ -126,7 +122,7 @@ void reduce(MPI_Comm comm, const config::Config& config) {
     progress.warn("the basis leaves out the body's " + counted(rigid, "rigid motion", "rigid motions") +
                   ": the model neither falls nor flies, and ritz-run refuses loads that would make it");
   const auto u = mesh::to_vertices(mesh, dofs, reduced.U);
-  const auto polynomial = reduce_forces(config, problem, u, progress);
+  const auto forces = reduce_forces(config, problem, reduced, u, progress);
   const auto inertia =
       progress.stage("inertia", [&] { return stages::inertia(mesh, problem.matrices.scalar_mass, u); });
   const auto loads = progress.stage("loads", [&] { return stages::set_loads(mesh, u); });
@@ -136,7 +132,7 @@ void reduce(MPI_Comm comm, const config::Config& config) {
 
   const auto of_modes =
       stages::inertia(mesh, problem.matrices.scalar_mass, mesh::to_vertices(mesh, dofs, modes.vectors));
-  const Results results{modes, errors, u, reduced, polynomial, inertia, loads, of_modes};
+  const Results results{modes, errors, u, reduced, forces, inertia, loads, of_modes};
   auto written = progress.stage("write", [&] {
     return WrittenModel(config, problem, file_geometry(mesh, problem.materials, config.rows), results, progress);
   });
@@ -148,7 +144,7 @@ void reduce(MPI_Comm comm, const config::Config& config) {
     written.publish();
   });
   progress.line(size_line(extent(mesh, problem.materials), modes.modes) + "\n" +
-                modes_lines(modes.modes, of_modes, errors) + basis_lines(reduced, polynomial, inertia) +
+                modes_lines(modes.modes, of_modes, errors) + basis_lines(reduced, forces, inertia) +
                 static_error_lines(config, reduced.figures.static_errors, residual) + peak_memory_line(comm) + "\n" +
                 outputs->replaced() + "wrote " + config.output.string());
 }

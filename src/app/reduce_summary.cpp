@@ -77,7 +77,9 @@ files::Json::Object model_summary(const config::Config& config, const stages::Pr
   summary.emplace_back("basis", basis_summary(results.basis, results.inertia));
   summary.emplace_back("derivatives", derivatives_summary(results.basis.figures));
   summary.emplace_back("accuracy", accuracy_summary(results.basis.figures.accuracy));
-  summary.emplace_back("polynomial", polynomial_summary(results.polynomial));
+  summary.emplace_back("polynomial", polynomial_summary(results.forces.polynomial));
+  const auto& cubature = results.forces.cubature;
+  summary.emplace_back("cubature", cubature ? Json(format::summary(*cubature)) : Json(nullptr));
   summary.emplace_back("static_errors", static_error_summary(results.basis.figures.static_errors));
   summary.emplace_back("plan", nullptr);
   return summary;
@@ -86,7 +88,8 @@ files::Json::Object model_summary(const config::Config& config, const stages::Pr
 files::Json::Object plan_summary(const config::Config& config, const stages::Problem& problem, const Earlier& earlier,
                                  const Plan& plan, const Progress& progress) {
   auto summary = beginning(config, problem, earlier, progress);
-  for (const char* absent : {"inertia", "modes", "basis", "derivatives", "accuracy", "polynomial", "static_errors"})
+  for (const char* absent :
+       {"inertia", "modes", "basis", "derivatives", "accuracy", "polynomial", "cubature", "static_errors"})
     summary.emplace_back(absent, nullptr);
   Json::Array stages;
   for (const auto& [stage, seconds, memory, how] : plan.stages)

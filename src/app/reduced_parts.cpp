@@ -10,6 +10,7 @@
 #include "ritz/base/error.hpp"
 #include "ritz/base/shown.hpp"
 #include "ritz/stages/reduce_polynomial.hpp"
+#include "ritz/stages/train_cubature.hpp"
 
 namespace ritz::app {
 namespace {
@@ -63,11 +64,6 @@ std::optional<stages::StaticPath> static_path(const config::Config& config, cons
 
 namespace {
 
-/// Of whoever asks for a polynomial of other laws the options have been refused before.
-stages::PolynomialLaws polynomial_laws(const stages::Problem& problem) {
-  return stages::polynomial_laws(problem.materials).value();
-}
-
 double taylor(const stages::Problem& problem, const stages::ModesResult& modes, const std::vector<int>& chosen) {
   const algebra::Tall entering = stages::entering_modes(modes, chosen).vectors;
   return stages::taylor_witness({problem, modes, entering, static_cast<int>(entering.cols())});
@@ -81,9 +77,29 @@ ReducedBasis finished(stages::BasisResult basis, std::optional<Accuracy> accurac
   return finished;
 }
 
-ReducedBasis accurate(const stages::Problem& problem, const stages::ModesResult& modes, const stages::StaticPath& path,
-                      double target, const stages::ModesProgress& progress) {
-  auto [basis, chosen] = stages::accurate_basis(problem, polynomial_laws(problem), modes, path, target, progress);
+/// The reduced model of a basis whose laws are no polynomials.
+runtime::Model<double> by_cubature(const config::Config& config, const stages::Problem& problem,
+                                   const stages::BasisResult& basis) {
+  const auto& [mesh, dofs, materials, matrices] = problem;
+  const auto u = mesh::to_vertices(mesh, dofs, basis.U);
+  const auto polynomial = stages::reduce_polynomial(problem, stages::laws_at_rest(materials), u);
+  const auto cubature = stages::train_cubature(problem, u, basis.reduction.stiffness, polynomial, config.cubature,
+                                               [](const std::string&, double) {});
+  std::vector<model::RegionMaterial> regions;
+  for (std::size_t i = 0; i < materials.size(); ++i) regions.push_back({mesh.regions[i].name, materials[i]});
+  const bool rest = cubature.integrand == model::Integrand::beyond_polynomial;
+  return runtime::make_model<double>(cubature, regions, rest ? &polynomial : nullptr, {});
+}
+
+ReducedBasis accurate(const config::Config& config, const stages::Problem& problem, const stages::ModesResult& modes,
+                      const stages::StaticPath& path, const stages::ModesProgress& progress) {
+  const double target = config.accuracy->target;
+  const auto laws = stages::polynomial_laws(problem.materials);
+  const stages::ReducedModel reduced = [&](const stages::BasisResult& basis) {
+    return by_cubature(config, problem, basis);
+  };
+  auto [basis, chosen] = laws ? stages::accurate_basis(problem, *laws, modes, path, target, progress)
+                              : stages::accurate_basis(problem, reduced, modes, path, target, progress);
   return finished(std::move(basis), Accuracy{target, chosen});
 }
 
@@ -91,7 +107,7 @@ ReducedBasis make_basis(const config::Config& config, const stages::Problem& pro
                         const algebra::Tall& answers, const std::optional<stages::StaticPath>& path,
                         Progress& progress) {
   const auto told = [&](const std::string& what, double fraction) { progress.update(what, fraction); };
-  if (path) return accurate(problem, modes, *path, config.accuracy->target, told);
+  if (path) return accurate(config, problem, modes, *path, told);
   if (!config.basis) {
     const auto residual = stages::residual_vectors(problem, modes.vectors, answers);
     if (residual.values.size() + modes.vectors.cols() == 0)
@@ -121,21 +137,27 @@ ReducedBasis reduce_basis(const config::Config& config, const stages::Problem& p
   return basis;
 }
 
-std::optional<ReducedPolynomial> reduce_forces(const config::Config& config, const stages::Problem& problem,
-                                               const mesh::VertexRows& u, Progress& progress) {
-  if (config.forces == config::ReducedForces::none) return std::nullopt;
+ReducedForces reduce_forces(const config::Config& config, const stages::Problem& problem, const ReducedBasis& basis,
+                            const mesh::VertexRows& u, Progress& progress) {
+  if (config.forces == config::ReducedForces::none) return {};
   if (u.cols() > stages::most_coordinates)
-    throw InputError("a polynomial of " + std::to_string(u.cols()) + " coordinates is too large (at most " +
+    throw InputError("a nonlinear model of " + std::to_string(u.cols()) + " coordinates is too large (at most " +
                      std::to_string(stages::most_coordinates) + "); give -basis R, such as -basis 30" +
                      (config.residual_vectors ? ", or fewer -residual_vectors" : ""));
-  auto value =
-      progress.stage("polynomial", [&] { return stages::reduce_polynomial(problem, polynomial_laws(problem), u); });
+  const auto laws = stages::laws_at_rest(problem.materials);
+  auto value = progress.stage("polynomial", [&] { return stages::reduce_polynomial(problem, laws, u); });
   const auto errors = progress.stage("check", [&] { return stages::polynomial_witness(problem, u, value); });
-  return ReducedPolynomial{std::move(value), errors};
+  ReducedForces forces{ReducedPolynomial{std::move(value), errors}, {}};
+  if (fem::force_degree(problem.materials)) return forces;
+  forces.cubature = progress.stage("cubature", [&] {
+    return stages::train_cubature(problem, u, basis.reduction->stiffness, forces.polynomial->value, config.cubature,
+                                  [&](const std::string& what, double fraction) { progress.update(what, fraction); });
+  });
+  if (config.cubature.integrand == model::Integrand::energy) forces.polynomial.reset();
+  return forces;
 }
 
-std::string basis_lines(const ReducedBasis& basis, const std::optional<ReducedPolynomial>& polynomial,
-                        const model::Inertia& inertia) {
+std::string basis_lines(const ReducedBasis& basis, const ReducedForces& forces, const model::Inertia& inertia) {
   if (!basis.reduction) return "";
   const auto& [stiffness, residual, sigma, discarded] = *basis.reduction;
   const auto kept = basis.reduction->kept();
@@ -158,12 +180,21 @@ std::string basis_lines(const ReducedBasis& basis, const std::optional<ReducedPo
         "accuracy: %d columns of the static answer, %d modes and their derivatives; error on the static path "
         "%.2e (%.2e asked)\n",
         accuracy->reached.columns, accuracy->reached.modes, accuracy->reached.error, accuracy->target);
-  if (polynomial)
+  if (const auto& polynomial = forces.polynomial)
     text += formatted(
         "polynomial of the St. Venant-Kirchhoff forces: %td quartic coefficients; checked: differs from the full "
         "model by %.1e in forces, %.1e in energy, %.1e in stiffness at rest\n",
         polynomial->value.quartic.size(), polynomial->errors.force, polynomial->errors.energy,
         polynomial->errors.stiffness);
+  if (const auto& cubature = forces.cubature) {
+    const auto& error = cubature->errors.back();
+    text += formatted(
+        "cubature of %s: %td cells; error of forces at poses not trained on, in the energy norm: %.2g %% (largest "
+        "%.2g %%) of low modes, %.2g %% (largest %.2g %%) of statics\n",
+        forces.polynomial ? "what the polynomial lacks" : "the whole energy", std::ssize(cubature->cells),
+        100 * error.lifts.mean_square_root, 100 * error.lifts.largest, 100 * error.statics.mean_square_root,
+        100 * error.statics.largest);
+  }
   return text;
 }
 

@@ -46,6 +46,12 @@ struct ReducedPolynomial {
   stages::PolynomialErrors errors;
 };
 
+/// The reduced forces of large displacements; what the laws do not need is absent.
+struct ReducedForces {
+  std::optional<ReducedPolynomial> polynomial;
+  std::optional<model::Cubature> cubature;
+};
+
 /// The loads for whose static answers the modes' stage solved (ModesResult::answers), and which of them join the basis.
 struct StaticLoads {
   stages::UnitLoads solved;
@@ -59,13 +65,13 @@ ReducedBasis reduce_basis(const config::Config& config, const stages::Problem& p
                           const stages::ModesResult& modes, const StaticLoads& loads,
                           const std::optional<stages::StaticPath>& path, Progress& progress);
 
-/// *Collective*. Computes the polynomial; nothing if none was asked for. `u` is the basis over owned vertices. Throws
-/// NumericalError when the witness fails.
-std::optional<ReducedPolynomial> reduce_forces(const config::Config& config, const stages::Problem& problem,
-                                               const mesh::VertexRows& u, Progress& progress);
+/// *Collective*. Computes the polynomial and trains the cubature; nothing if nothing was asked for. `u` is the basis
+/// over owned vertices. Throws NumericalError when a witness fails or a cubature is not accurate enough, and InputError
+/// for sizes that do not fit.
+ReducedForces reduce_forces(const config::Config& config, const stages::Problem& problem, const ReducedBasis& basis,
+                            const mesh::VertexRows& u, Progress& progress);
 
 /// The results as text to be printed; empty for a linear model.
-std::string basis_lines(const ReducedBasis& basis, const std::optional<ReducedPolynomial>& polynomial,
-                        const model::Inertia& inertia);
+std::string basis_lines(const ReducedBasis& basis, const ReducedForces& forces, const model::Inertia& inertia);
 
 }  // namespace ritz::app

@@ -79,7 +79,7 @@ model::Report report(const mesh::Mesh& mesh, const mesh::Dofs& dofs, const Resul
                     {names::eigensolver_iterations, static_cast<double>(results.modes.iterations)},
                     {"peak_memory_bytes", peak_memory(mesh.comm).all_ranks}};
   add_basis(results.basis.figures, report.figures);
-  if (const auto& polynomial = results.polynomial)
+  if (const auto& polynomial = results.forces.polynomial)
     report.figures.insert(report.figures.end(), {{"witness_force", polynomial->errors.force},
                                                  {"witness_energy", polynomial->errors.energy},
                                                  {"witness_stiffness", polynomial->errors.stiffness}});

@@ -69,7 +69,8 @@ WrittenModel::WrittenModel(const config::Config& config, const stages::Problem& 
   write_columns(out, mesh, order, results);
   if (results.modes.modes.eigenvalues.size() > 0) format::write_modes(out, results.modes.modes);
   if (results.basis.reduction) format::write_reduction(out, *results.basis.reduction);
-  if (results.polynomial) format::write_polynomial(out, results.polynomial->value);
+  if (const auto& polynomial = results.forces.polynomial) format::write_polynomial(out, polynomial->value);
+  if (const auto& cubature = results.forces.cubature) format::write_cubature(out, *cubature);
   format::write_inertia(out, results.inertia);
   format::write_loads(out, results.loads);
   format::write_report(out, report(mesh, dofs, results, progress));

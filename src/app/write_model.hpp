@@ -17,7 +17,7 @@ struct Results {
   const Eigen::VectorXd& mesh_errors;  ///< by mode; empty if they were not asked for
   const algebra::Tall& u;              ///< the basis over owned vertices
   const ReducedBasis& basis;
-  const std::optional<ReducedPolynomial>& polynomial;
+  const ReducedForces& forces;
   const model::Inertia& inertia;
   const std::vector<model::SetLoad>& loads;
   const model::Inertia& of_modes;  ///< the inertia over the modes; over no columns if their vectors are not available

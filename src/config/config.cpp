@@ -97,6 +97,27 @@ std::vector<int> read_mode_list(Database& options) {
   return modes;
 }
 
+/// Any option of the cubature asks for one.
+void read_forces(Database& options, Config& config) {
+  const bool polynomial = options.flag("polynomial"), plain = options.flag("cubature_plain");
+  const bool by_number = options.has("cubature"), by_tolerance = options.has("cubature_tolerance");
+  const bool trained = options.has("cubature_poses") || options.has("cubature_amplitude");
+  if (by_number && by_tolerance)
+    throw InputError(
+        "options -cubature and -cubature_tolerance say how many cells there are in two ways: leave out one or the "
+        "other");
+  if (polynomial && plain)
+    throw InputError("options -polynomial and -cubature_plain contradict each other: leave out one or the other");
+  auto& cubature = config.cubature;
+  if (by_number) cubature.cells = options.integer("cubature", 1, 1);
+  cubature.tolerance = options.real("cubature_tolerance", cubature.tolerance, 1e-8, 0.5);
+  cubature.poses = options.integer("cubature_poses", cubature.poses, 2, 10000);
+  cubature.amplitude = options.real("cubature_amplitude", cubature.amplitude, 1e-6, 10);
+  cubature.integrand = plain ? model::Integrand::energy : model::Integrand::beyond_polynomial;
+  if (by_number || by_tolerance || plain || trained) config.forces = ReducedForces::cubature;
+  else if (polynomial) config.forces = ReducedForces::by_laws;
+}
+
 /// The options of the basis; any of them asks for one.
 void read_basis(Database& options, Config& config) {
   stages::BasisOptions basis;
@@ -109,16 +130,16 @@ void read_basis(Database& options, Config& config) {
   if (by_size) basis.cut.size = options.integer("basis", 0, 1);
   else basis.cut.tolerance = options.real("basis_tolerance", basis.cut.tolerance, 1e-12, 0.999);
   config.snapshots = options.text("snapshots");
-  config.forces = options.flag("polynomial") ? ReducedForces::polynomial : ReducedForces::none;
-  if (config.forces == ReducedForces::polynomial && basis.cut.size > stages::most_coordinates)
+  read_forces(options, config);
+  if (config.forces != ReducedForces::none && basis.cut.size > stages::most_coordinates)
     throw InputError("option -basis " + std::to_string(basis.cut.size) +
-                     " is too large for -polynomial, which has at most " + std::to_string(stages::most_coordinates) +
-                     " coordinates; lower it");
+                     " is too large for -polynomial and -cubature, which have at most " +
+                     std::to_string(stages::most_coordinates) + " coordinates; lower it");
   if (basis.derivatives > config.modes.count)
     throw InputError("option -derivatives " + std::to_string(basis.derivatives) + " asks for more modes than -modes " +
                      std::to_string(config.modes.count) + "; raise -modes");
   if (basis.derivatives > 0 || by_size || by_tolerance || !basis.modes.empty() || config.snapshots ||
-      config.forces == ReducedForces::polynomial)
+      config.forces != ReducedForces::none)
     config.basis = basis;
 }
 
@@ -135,7 +156,7 @@ void read_static_loads(Database& options, Config& config) {
   config.residual_vectors = loads;
 }
 
-/// A target for the error asks for a basis and a polynomial, and leaves nothing else to say of them.
+/// A target for the error asks for a basis and its reduced forces, and leaves nothing else to say of the basis.
 void read_accuracy(Database& options, Config& config) {
   const auto target = options.real("accuracy");
   const auto scene = options.text("accuracy_scene");
@@ -147,11 +168,12 @@ void read_accuracy(Database& options, Config& config) {
   if (!(*target >= least_accuracy && *target <= most_accuracy))
     throw InputError("option -accuracy must be between 1e-6 and 0.5");
   for (const std::string other :
-       {"basis", "basis_tolerance", "basis_modes", "derivatives", "snapshots", "residual_vectors"})
+       {"basis", "basis_tolerance", "basis_modes", "derivatives", "snapshots", "residual_vectors", "cubature"})
     if (options.has(other)) throw InputError("option -accuracy chooses the basis by itself: leave out -" + other);
   config.accuracy = {*target, *scene};
   config.basis.emplace();
-  config.forces = ReducedForces::polynomial;
+  if (config.forces == ReducedForces::none) config.forces = ReducedForces::by_laws;
+  if (!options.has("cubature_tolerance")) config.cubature.tolerance = std::min(config.cubature.tolerance, *target / 4);
 }
 
 std::optional<std::int64_t> read_count(Database& options, const std::string& name) {

@@ -17,6 +17,7 @@
 #include "ritz/mesh/read.hpp"
 #include "ritz/stages/basis.hpp"
 #include "ritz/stages/linear_modes.hpp"
+#include "ritz/stages/train_cubature.hpp"
 
 namespace ritz::config {
 
@@ -65,8 +66,9 @@ enum class StaticErrors { where_cheap, always };
 /// Whether the discretization error of each mode is estimated.
 enum class MeshErrors { unknown, estimated };
 
-/// Whether the nonlinear forces are reduced.
-enum class ReducedForces { none, polynomial };
+/// Whether the nonlinear forces are reduced: exactly, to a polynomial, where the laws of all regions have one, else
+/// with a cubature.
+enum class ReducedForces { none, by_laws, cubature };
 
 enum class Program { reduce, full };
 
@@ -86,6 +88,7 @@ struct Config {
   std::optional<ResidualLoads> residual_vectors;
   StaticErrors static_errors = StaticErrors::where_cheap;
   ReducedForces forces = ReducedForces::none;
+  stages::CubatureOptions cubature;  ///< if there is one
   std::optional<std::filesystem::path> reuse;
   StoredRows rows = StoredRows::all;
   Goal goal = Goal::model;

@@ -68,10 +68,21 @@ constexpr auto basis_options = std::to_array<OptionEntry>({
      "say how much of the static answer to a load on each set and to gravity the basis misses also where that takes "
      "more than a few solves: with -solver iterative, for a free body, and for more than 15 sets"},
     {"polynomial", "", "", "off",
-     "reduce the forces of stvk (St. Venant-Kirchhoff) materials to their exact polynomial, for large displacements"},
+     "reduce forces of large displacements: those of stvk and stvk-orthotropic materials to their exact polynomial; of "
+     "other laws what that polynomial lacks by cubature, as -cubature_tolerance does"},
+    {"cubature", "T", "1 ...", "by -cubature_tolerance",
+     "reduce forces of large displacements of any law by cubature over so many cells, whose weights are trained"},
+    {"cubature_tolerance", "E", "1e-8 ... 0.5", "1e-3",
+     "in place of -cubature: as many cells as bring the relative error of forces, in the energy norm and at poses that "
+     "were not trained on, below E"},
+    {"cubature_plain", "", "", "off",
+     "cubature of the whole energy, not only of what the polynomial lacks of it; takes more cells for the same error"},
+    {"cubature_poses", "N", "2 ...", "120", "poses to train on: half lifts of low modes, half statics"},
+    {"cubature_amplitude", "A", "1e-6 ... 10", "0.5",
+     "the largest displacement of these poses, as a part of the body's largest extent"},
     {"accuracy", "E", "1e-6 ... 0.5", "none",
      "choose modes, derivatives and columns by themselves: the smallest basis whose error on the static load path of "
-     "-accuracy_scene, relative and in the M-norm, is below E; with its polynomial"},
+     "-accuracy_scene, relative and in the M-norm, is below E; with its polynomial, or with a cubature to E/4"},
     {"accuracy_scene", "FILE.toml", "", "none", "the scene for -accuracy: its loads, grown from nothing to their most"},
 });
 

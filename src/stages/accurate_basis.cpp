@@ -63,9 +63,8 @@ Index fewest(const ReducedPath& path, double target) {
   return path.truth.rows() + 1;
 }
 
-double static_error(const model::Polynomial& polynomial, const ReducedPath& path) {
-  const Index r = polynomial.r, levels = path.loads.cols();
-  const auto model = runtime::make_model<double>(polynomial, {});
+double static_error(const runtime::Model<double>& model, const ReducedPath& path) {
+  const Index r = model.size(), levels = path.loads.cols();
   auto workspace = runtime::make_static_workspace<double>(model);
   runtime::Vector<double> z = runtime::Vector<double>::Zero(r), begin = z;
   double worst = 0;
@@ -82,12 +81,15 @@ double static_error(const model::Polynomial& polynomial, const ReducedPath& path
 /// What the search needs at every K'.
 struct Question {
   const Problem& problem;
-  const PolynomialLaws& laws;
   const ModesResult& modes;
   const StaticPath& path;
   const algebra::Tall& series;
   double target;
 };
+
+ReducedPath seen_from(const algebra::Tall& U, const Question& in) {
+  return seen_from(U, in.problem.matrices.mass, in.problem.mesh.comm, in.path);
+}
 
 /// The first `limit` columns of the series and the directions of the set.
 algebra::Tall candidates(const Question& in, const Principal& set, Index limit) {
@@ -97,22 +99,30 @@ algebra::Tall candidates(const Question& in, const Principal& set, Index limit) 
 }
 
 /// The smallest basis of at most `limit` such columns; or the best there is, which misses the target.
-SizedError smallest(const Question& in, const Principal& set, int count, int limit) {
+SizedError smallest(const Question& in, const PolynomialLaws& laws, const Principal& set, int count, int limit) {
   const algebra::Tall U = candidates(in, set, limit);
-  const auto path = seen_from(U, in.problem.matrices.mass, in.problem.mesh.comm, in.path);
+  const auto path = seen_from(U, in);
   SizedError best{count, 0, nothing_found};
   Index r = fewest(path, in.target);
   for (Index all = r + 4; r <= U.cols(); all *= 2) {
     const Index width = std::min(all, U.cols());
     const auto polynomial =
-        reduce_polynomial(in.problem, in.laws, mesh::to_vertices(in.problem.mesh, in.problem.dofs, U.leftCols(width)));
+        reduce_polynomial(in.problem, laws, mesh::to_vertices(in.problem.mesh, in.problem.dofs, U.leftCols(width)));
     for (; r <= width; ++r) {
-      const double error = static_error(leading(polynomial, r), path);
+      const double error = static_error(runtime::make_model<double>(leading(polynomial, r), {}), path);
       if (error < best.error) best = {count, static_cast<int>(r), error};
       if (error <= in.target) return best;
     }
   }
   return best;
+}
+
+/// The fewest columns that can represent the path to half of the target, which the equilibria of a reduced model miss
+/// by more than its best approximation; an error of 0 where there are as many.
+SizedError fewest_to_half(const Question& in, const Principal& set, int count, int limit) {
+  const algebra::Tall U = candidates(in, set, limit);
+  const Index r = fewest(seen_from(U, in), in.target / 2);
+  return {count, static_cast<int>(r), r <= U.cols() ? 0 : nothing_found};
 }
 
 /// w and Φ_ww, M-orthonormal one after the other; Φ_ww only where it is not along w.
@@ -142,38 +152,79 @@ algebra::Tall taylor_series(const Problem& problem, const ModesResult& modes, co
       Reason::accuracy_out_of_reach);
 }
 
-}  // namespace
+/// The smallest basis that a search over K' found, and the set that it is cut from.
+struct SearchedBasis {
+  ScaledSet set;
+  SizedError best;
+};
 
-AccurateBasis accurate_basis(const Problem& problem, const PolynomialLaws& laws, const ModesResult& modes,
-                             const StaticPath& path, double target, const ModesProgress& progress) {
-  const int all = static_cast<int>(flexible_modes(modes).cols());
+/// Searches K' = 0, 1, 2, ... by `smallest(set, count, limit)`, the smallest basis of at most `limit` columns.
+template <class Smallest>
+SearchedBasis search(const Question& in, const ModesProgress& progress, Smallest&& smallest) {
+  const algebra::Tall flexible = flexible_modes(in.modes);
+  const int all = static_cast<int>(flexible.cols());
   if (all == 0) give_up({0, 0, nothing_found}, 0);
-  const algebra::Tall series = taylor_series(problem, modes, path.loads.rightCols(1));
-  const Question in{problem, laws, modes, path, series, target};
-  const EnteringModes entering{modes.modes.eigenvalues.tail(flexible_modes(modes).cols()), flexible_modes(modes)};
-  const ScaledSource source{problem, modes, entering, series};
+  const EnteringModes entering{in.modes.modes.eigenvalues.tail(all), flexible};
+  const ScaledSource source{in.problem, in.modes, entering, in.series};
   const Cut cut{.size = most_columns};
-  const int shared = static_cast<int>(series.cols());
-  ScaledSet set, taken;
-  SizedError closest{0, 0, nothing_found}, best = closest;
+  ScaledSet set;
+  SizedError closest{0, 0, nothing_found};
+  SearchedBasis found{{}, closest};
+  auto& best = found.best;
   for (int count = 0, waited = 0;; count = whole_cluster(entering.values, count + 1)) {
     add_modes(source, count, cut, set);
     add_derivatives(source, count, BasisOptions{}.block, cut, progress, set);
     const bool found_before = best.columns > 0;
-    const auto found = smallest(in, set.principal, count, found_before ? best.columns - 1 : most_columns);
-    if (found.error < closest.error) closest = found;
+    const SizedError now = smallest(set.principal, count, found_before ? best.columns - 1 : most_columns);
+    if (now.error < closest.error) closest = now;
     waited += found_before;
-    if (found.error <= target) {
-      best = found;
-      taken = set;
+    if (now.error <= in.target) {
+      best = now;
+      found.set = set;
       waited = 0;
     }
-    const bool smallest_of_all = best.columns > 0 && best.columns <= shared + 1;
+    const bool smallest_of_all = best.columns > 0 && best.columns <= in.series.cols() + 1;
     if (count == all || waited == patience || smallest_of_all) break;
   }
   if (best.columns == 0) give_up(closest, all);
-  const int of_series = std::min(best.columns, shared);
-  return {cut_basis(problem, modes, series.leftCols(of_series), taken, best.columns - of_series), best};
+  return found;
+}
+
+/// The first `columns` of the series and the directions of the set, finished.
+BasisResult cut_to(const Question& in, const ScaledSet& set, int columns) {
+  const int of_series = std::min(columns, static_cast<int>(in.series.cols()));
+  return cut_basis(in.problem, in.modes, in.series.leftCols(of_series), set, columns - of_series);
+}
+
+}  // namespace
+
+AccurateBasis accurate_basis(const Problem& problem, const PolynomialLaws& laws, const ModesResult& modes,
+                             const StaticPath& path, double target, const ModesProgress& progress) {
+  const algebra::Tall series = taylor_series(problem, modes, path.loads.rightCols(1));
+  const Question in{problem, modes, path, series, target};
+  const auto [set, best] = search(in, progress, [&](const Principal& principal, int count, int limit) {
+    return smallest(in, laws, principal, count, limit);
+  });
+  return {cut_to(in, set, best.columns), best};
+}
+
+AccurateBasis accurate_basis(const Problem& problem, const ReducedModel& reduced, const ModesResult& modes,
+                             const StaticPath& path, double target, const ModesProgress& progress) {
+  const algebra::Tall series = taylor_series(problem, modes, path.loads.rightCols(1));
+  const Question in{problem, modes, path, series, target};
+  const auto [set, first] = search(in, progress, [&](const Principal& principal, int count, int limit) {
+    return fewest_to_half(in, principal, count, limit);
+  });
+  const int most = std::min(most_columns, static_cast<int>(series.cols() + set.principal.sigma.size()));
+  SizedError closest{first.modes, 0, nothing_found};
+  for (int r = first.columns; r <= most; r = std::max(r + 1, 6 * r / 5)) {
+    progress("columns", static_cast<double>(r) / most);
+    auto basis = cut_to(in, set, r);
+    const SizedError now{first.modes, r, static_error(reduced(basis), seen_from(basis.U, in))};
+    if (now.error <= target) return {std::move(basis), now};
+    if (now.error < closest.error) closest = now;
+  }
+  give_up(closest, first.modes);
 }
 
 }  // namespace ritz::stages

@@ -1,5 +1,8 @@
 // Finds the smallest basis that is accurate enough on a static load path.
 #pragma once
+#include <functional>
+
+#include "ritz/runtime/model.hpp"
 #include "ritz/stages/basis.hpp"
 #include "ritz/stages/reduce_polynomial.hpp"
 
@@ -34,6 +37,15 @@ struct AccurateBasis {
 ///
 /// Throws a NumericalError that names the best basis found, when no basis of the given modes is accurate enough.
 AccurateBasis accurate_basis(const Problem& problem, const PolynomialLaws& laws, const ModesResult& modes,
+                             const StaticPath& path, double target, const ModesProgress& progress);
+
+/// Makes the reduced model of a basis, of any law. *Collective*.
+using ReducedModel = std::function<runtime::Model<double>(const BasisResult& basis)>;
+
+/// *Collective*. The same where reduced models take long to make, as those of cubature do: of the bases above that K'
+/// is taken with which the fewest columns can represent the path to half of the target, and r grows from there, by a
+/// fifth at a time, until the equilibria of `reduced` are accurate enough.
+AccurateBasis accurate_basis(const Problem& problem, const ReducedModel& reduced, const ModesResult& modes,
                              const StaticPath& path, double target, const ModesProgress& progress);
 
 }  // namespace ritz::stages

@@ -101,7 +101,7 @@ class StepEquations {
   }
 
   algebra::Tall internal(const algebra::Tall& d) const {
-    const auto sums = internal_forces(model_.problem, stations(d));
+    const auto sums = internal_forces(model_.problem.mesh, model_.problem.materials, stations(d));
     return mesh::from_vertices(model_.problem.mesh, model_.problem.dofs, sums.forces) * rule_.weights;
   }
 

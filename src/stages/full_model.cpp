@@ -49,7 +49,8 @@ FullModel full_model(const Problem& problem, algebra::LinearSolver solver) {
 }
 
 EnergyAndForce energy_and_force(const FullModel& model, mesh::FreeRef u) {
-  const auto sums = internal_forces(model.problem, mesh::to_vertices(model.problem.mesh, model.problem.dofs, u));
+  const auto sums = internal_forces(model.problem.mesh, model.problem.materials,
+                                    mesh::to_vertices(model.problem.mesh, model.problem.dofs, u));
   return {sums.energies[0], mesh::from_vertices(model.problem.mesh, model.problem.dofs, sums.forces)};
 }
 

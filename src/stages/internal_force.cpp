@@ -59,11 +59,10 @@ void add_strain_energy(const Cell& cell, const mesh::LocalRows& local, Eigen::Ve
 
 }  // namespace
 
-InternalForces internal_forces(const Problem& problem, mesh::VertexRef u) {
-  const mesh::Mesh& mesh = problem.mesh;
+InternalForces internal_forces(const mesh::Mesh& mesh, const fem::Materials& materials, mesh::VertexRef u) {
   const mesh::LocalRows local = mesh::with_ghosts(mesh, u, mesh::components);
   InternalForces sums{Eigen::VectorXd::Zero(u.cols()), mesh::VertexRows::Zero(u.rows(), u.cols())};
-  each_cell(mesh, problem.materials, [&](const Cell& cell) { add_force(mesh, cell, local, sums); });
+  each_cell(mesh, materials, [&](const Cell& cell) { add_force(mesh, cell, local, sums); });
   parallel::sum_in_place(mesh.comm, sums.energies);
   return sums;
 }

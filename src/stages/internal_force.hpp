@@ -14,9 +14,10 @@ struct InternalForces {
   mesh::VertexRows forces;   ///< dE/du, N, rows of owned vertices, 3 for each, fixed components included
 };
 
-/// *Collective*. Energy and force by the elements' rules for each column of `u` (m, rows of owned vertices, 3 for
-/// each). Each rank sums the complete rows of its vertices from its own cells and the halo, in the order of the file.
-InternalForces internal_forces(const Problem& problem, mesh::VertexRef u);
+/// *Collective*. Energy and force by the elements' rules and the laws of `materials`, one a region, for each column of
+/// `u` (m, rows of owned vertices, 3 for each). Each rank sums the complete rows of its vertices from its own cells and
+/// the halo, in the order of the file.
+InternalForces internal_forces(const mesh::Mesh& mesh, const fem::Materials& materials, mesh::VertexRef u);
 
 /// A matrix with the pattern of K, whose values can be computed repeatedly.
 struct Tangent {

@@ -176,6 +176,10 @@ Eigen::VectorXd quartic(const Eigen::MatrixXd& gram, Index r) {
 
 std::optional<PolynomialLaws> polynomial_laws(const fem::Materials& materials) {
   if (!fem::force_degree(materials)) return std::nullopt;
+  return laws_at_rest(materials);
+}
+
+PolynomialLaws laws_at_rest(const fem::Materials& materials) {
   PolynomialLaws laws;
   for (const auto& material : materials) laws.push_back(material.at_rest());
   return laws;

@@ -16,6 +16,9 @@ inline constexpr int most_coordinates = 150;
 /// Piola-Kirchhoff stress and the Green-Lagrange strain. Constants of third order do not enter.
 using PolynomialLaws = std::vector<fem::ElasticConstants>;
 
+/// The constants at rest of all regions, whatever their laws.
+PolynomialLaws laws_at_rest(const fem::Materials& materials);
+
 /// The laws of all regions; nothing if the force of one of them is not a polynomial.
 std::optional<PolynomialLaws> polynomial_laws(const fem::Materials& materials);
 

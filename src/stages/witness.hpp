@@ -5,7 +5,8 @@
 
 namespace ritz::stages {
 
-/// The largest relative differences between a polynomial and the full model.
+/// The largest relative differences between a polynomial and the full model, with St. Venant-Kirchhoff materials of the
+/// same constants at rest in place of those whose forces are no polynomials.
 struct PolynomialErrors {
   double force = 0;      ///< f̃(z) and Uᵀf(Uz)
   double energy = 0;     ///< Ẽ(z) and E(Uz)

@@ -57,7 +57,7 @@ TEST_P(Patch, InnerVerticesFeelNoForce) {
   gradient << .3, -.2, .1, .15, -.25, .05, -.1, .2, .4;
   algebra::Tall u(3 * mesh.owned, 1);
   for (int v = 0; v < mesh.owned; ++v) u.col(0).segment<3>(3 * v) = gradient * mesh.points.col(v);
-  const auto result = stages::internal_forces(body, u);
+  const auto result = stages::internal_forces(body.mesh, body.materials, u);
   for (const int v : inner()) EXPECT_LE(result.forces.col(0).segment<3>(3 * v).norm(), 1e-13 * E) << v;
   double largest = 0;
   for (int v = 0; v < mesh.owned; ++v) largest = std::max(largest, result.forces.col(0).segment<3>(3 * v).norm());

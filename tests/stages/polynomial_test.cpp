@@ -45,7 +45,7 @@ TEST_P(Polynomial, IsTheFullModelOverNineDecades) {
   for (int decade = -6; decade < 3; ++decade) {
     const Eigen::VectorXd z = sample(decade);
     const Tall displaced = u * z;
-    const auto full = stages::internal_forces(r.p, displaced);
+    const auto full = stages::internal_forces(r.p.mesh, r.p.materials, displaced);
     const Eigen::VectorXd force = algebra::inner(comm, u, full.forces);
     stages::fill_tangent(tangent, r.p, Eigen::VectorXd::Ones(1), displaced);
     const Eigen::MatrixXd K = algebra::inner(comm, U, algebra::multiply(tangent.matrix, U));
