@@ -1,17 +1,13 @@
 #include "ritz/algebra/session.hpp"
 
-#include <dlfcn.h>
+#include <malloc.h>
 #include <slepceps.h>
-#include <sys/resource.h>
-#include <unistd.h>
-// after PETSc itself, which it needs
-#include <petscblaslapack.h>
 
 #include <cstdlib>
 #include <filesystem>
-#include <new>
 #include <vector>
 
+#include "ritz/algebra/blas.hpp"
 #include "ritz/algebra/check.hpp"
 
 namespace ritz::algebra {
@@ -38,14 +34,30 @@ std::vector<std::string> petsc_files() {
   return found;
 }
 
-template <class Function>
-Function symbol(const char* name) {
-  return reinterpret_cast<Function>(dlsym(RTLD_DEFAULT, name));
+/// Ranks that mpirun has started on one machine meet in its memory, as MPI finds out after a search for networks and
+/// displays that takes longer than the modes of a small model. What the user asks of MPI stays.
+void spare_the_search_for_networks() {
+  const char *all = std::getenv("OMPI_COMM_WORLD_SIZE"), *here = std::getenv("OMPI_COMM_WORLD_LOCAL_SIZE");
+  if (!all || !here || std::string(all) != here) return;
+  setenv("OMPI_MCA_pml", "ob1", 0);
+  setenv("HWLOC_COMPONENTS", "-gl", 0);
+}
+
+/// SuperLU_DIST, which PETSc brings along, forbids malloc as it is loaded to give any memory back to the system.
+void give_memory_back() {
+#ifdef __GLIBC__
+  constexpr int large = 16 << 20;  // to clear pages anew for smaller ones takes longer than they are worth
+  mallopt(M_MMAP_MAX, 1 << 16);
+  mallopt(M_MMAP_THRESHOLD, large);
+  mallopt(M_TRIM_THRESHOLD, 2 * large);
+#endif
 }
 
 }  // namespace
 
 Session::Session(const std::string& program) : unread_(take_variables()) {
+  spare_the_search_for_networks();
+  give_memory_back();
   std::string name = program, no_files = "-skip_petscrc";
   char* words[] = {name.data(), no_files.data(), nullptr};
   int count = 2;
@@ -62,37 +74,6 @@ Session::Session(const std::string& program) : unread_(take_variables()) {
 Session::~Session() {
   PetscOptionsSetValue(nullptr, "-options_left", "no");
   SlepcFinalize();
-}
-
-std::string loaded_blas() {
-  if (const auto config = symbol<char* (*)()>("openblas_get_config")) return config();
-  return "unknown (the reference BLAS is several times slower than OpenBLAS)";
-}
-
-bool blas_is_openblas() { return symbol<void*>("openblas_get_config") != nullptr; }
-
-void limit_blas_threads() {
-  if (std::getenv("OPENBLAS_NUM_THREADS") || std::getenv("OMP_NUM_THREADS")) return;
-  if (const auto set = symbol<void (*)(int)>("openblas_set_num_threads")) set(1);
-}
-
-void restart_with_one_blas_thread(char** argv) {
-  const auto threads = symbol<int (*)()>("openblas_get_num_threads");
-  const char* asked = std::getenv("OPENBLAS_NUM_THREADS");
-  rlimit space{};
-  const bool limited = getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur != RLIM_INFINITY;
-  if (!limited || !threads || threads() == 1 || (asked && std::string(asked) == "1")) return;
-  for (const char* name : {"OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS"}) setenv(name, "1", 1);
-  execv("/proc/self/exe", argv);
-}
-
-void take_blas_memory() {
-  constexpr std::size_t buffer = (std::size_t{128} << 20) + (std::size_t{1} << 20);  // OpenBLAS's, and some room
-  constexpr PetscBLASInt n = 128;  // larger than what OpenBLAS multiplies without its buffer
-  constexpr PetscScalar one = 1, zero = 0;
-  std::vector<PetscScalar> a(std::size_t{n} * n), c(a.size());  // before the buffer's place is free again
-  ::operator delete(::operator new(buffer));
-  BLASgemm_("N", "N", &n, &n, &n, &one, a.data(), &n, a.data(), &n, &zero, c.data(), &n);
 }
 
 std::vector<std::pair<std::string, std::string>> library_versions() {

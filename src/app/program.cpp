@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <new>
 
+#include "ritz/algebra/blas.hpp"
 #include "ritz/algebra/options.hpp"
 #include "ritz/algebra/session.hpp"
 #include "ritz/base/error.hpp"
@@ -53,7 +54,7 @@ int guarded(MPI_Comm comm, const std::string& program, const std::function<void(
 
 int run_program(int argc, char** argv, config::Program program,
                 const std::function<void(MPI_Comm, const config::Config&)>& work) {
-  algebra::restart_with_one_blas_thread(argv);
+  algebra::restart_with_fitting_blas(argv);
   const std::string name = program == config::Program::full ? "ritz-full" : "ritz-reduce";
   format::silence_library();
   const algebra::Session session(argv[0]);

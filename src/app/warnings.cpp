@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "ritz/algebra/session.hpp"
+#include "ritz/algebra/blas.hpp"
 #include "ritz/base/shown.hpp"
 #include "ritz/fem/geometry.hpp"
 #include "ritz/mesh/mesh.hpp"

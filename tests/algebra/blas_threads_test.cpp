@@ -3,7 +3,7 @@
 
 #include <cstdlib>
 
-#include "ritz/algebra/session.hpp"
+#include "ritz/algebra/blas.hpp"
 
 namespace ritz::algebra {
 namespace {

@@ -254,6 +254,21 @@ class Voice(InAFolder):
                 self.assertRegex(text.splitlines()[0], rf"^{program} \d+\.\d+\.\d+$")
                 self.assertEqual(text.count("PETSc:"), 1 if ranks else 0)
 
+    def kernels(self, **environment):
+        """What is said of OpenBLAS and its kernels, where it can choose among them."""
+        text = self.bench.run("ritz-reduce", "-version", ranks=1, environment=environment).out
+        blas = re.search(r"^BLAS: (OpenBLAS .*)$", text, re.M)
+        if not blas or "DYNAMIC_ARCH" not in blas[1]:
+            self.skipTest("the BLAS has kernels for one processor only")
+        return blas[1]
+
+    def test_kernels_of_the_blas_are_no_older_than_the_processor(self):
+        flags = set(re.search(r"^flags\s*:(.*)$", Path("/proc/cpuinfo").read_text(), re.M)[1].split())
+        if not {"avx2", "fma"} <= flags:
+            self.skipTest("the processor has no AVX2")
+        self.assertNotRegex(self.kernels(OPENBLAS_CORETYPE=None), "Prescott|Core2|Nehalem|Barcelona")
+        self.assertIn("Nehalem", self.kernels(OPENBLAS_CORETYPE="Nehalem"))  # as the user says
+
     def test_plan_writes_nothing(self):
         plan = self.reduce(*CLAMPED, "-plan", "-solver", "direct", ranks=1).out
         self.assertIn("modes", plan)
