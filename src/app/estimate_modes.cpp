@@ -9,6 +9,7 @@
 #include "ritz/base/shown.hpp"
 #include "ritz/files/summary.hpp"
 #include "ritz/parallel/comm.hpp"
+#include "ritz/stages/block_lanczos.hpp"
 #include "ritz/stages/eigen_strategy.hpp"
 
 namespace ritz::app {
@@ -40,7 +41,7 @@ ModesEstimate direct(const Workload& work) {
       algebra::Factorization(work.problem.mesh.comm, "solve_").analyse(work.problem.matrices.stiffness);
   const double pairs = options.count + stages::spare_pairs, columns = pairs * columns_per_mode;
   const double vector = 8 * work.rows, found = 2 * pairs * vector;
-  const double krylov = std::max(2 * pairs, pairs + 20 * options.block) * vector;
+  const double krylov = stages::lanczos_columns(options.count + stages::spare_pairs, options.block) * vector;
   const double factor = 2 * f.flops / (factor_efficiency * work.rate * work.speed);
   const double solve = columns / options.block * solve_passes * 8 * f.entries / (work.memory * work.speed);
   const bool kept = options.inverse == stages::InverseUse::kept;

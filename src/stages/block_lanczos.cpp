@@ -5,6 +5,7 @@
 
 #include "ritz/algebra/dense.hpp"
 #include "ritz/algebra/matrix.hpp"
+#include "ritz/stages/canonical.hpp"
 
 namespace ritz::stages {
 namespace {
@@ -12,7 +13,10 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-constexpr double well_conditioned = 1e-4;  ///< of a block's Cholesky factor, so that one normalisation is enough
+constexpr double well_conditioned = 1e-4;   ///< of a block's Cholesky factor, so that one normalisation is enough
+constexpr double spare_tolerance = 1e-5;    ///< of spare pairs: their values have twice the digits
+constexpr double close = 10 * cluster_gap;  ///< a relative gap in θ that could be one inside a cluster
+constexpr int passes = 3;                   ///< of orthogonalisation, at most
 
 /// The M-complement's dimension.
 Index dimension(const algebra::Matrix& M, Index locked) { return static_cast<Index>(algebra::rows(M)) - locked; }
@@ -34,6 +38,7 @@ class Krylov {
         T_(MatrixXd::Zero(capacity_ + block_, capacity_ + block_)) {
     basis_.leftCols(locked_) = locked;
     append_carefully(next_start(block_), std::min(block_, space_));
+    coupling_.resize(pending_, 0);
   }
 
   bool exhausted() const { return pending_ == 0; }
@@ -46,18 +51,26 @@ class Krylov {
     algebra::Tall w(basis_.rows(), width);
     op_(mv_, w);
     done_ += width;
-    MatrixXd h = MatrixXd::Zero(locked_ + done_, width);
-    const auto known = basis_.leftCols(locked_ + done_);
-    for (int pass = 0; pass < 2; ++pass) {
-      const MatrixXd part = algebra::inner(algebra::comm_of(M_), known, algebra::multiply(M_, w));
-      algebra::subtract(w, known, part);
+    // Op takes the pending block into itself, into the columns coupled with it and into the next: the rest is rounding.
+    const Index known = locked_ + done_, near = width + coupling_.cols();
+    const MPI_Comm comm = algebra::comm_of(M_);
+    MatrixXd h = MatrixXd::Zero(known, width);
+    h.bottomRows(near) << coupling_.transpose(), algebra::inner(comm, mv_, w);
+    algebra::subtract(w, basis_.middleCols(known - near, near), h.bottomRows(near));
+    mv_ = algebra::multiply(M_, w);
+    MatrixXd gram;
+    for (int pass = 0; pass < passes; ++pass) {
+      const MatrixXd part = algebra::inner(comm, basis_.leftCols(known), mv_);
+      algebra::subtract(w, basis_.leftCols(known), part);
       h += part;
+      mv_ = algebra::multiply(M_, w);
+      gram = algebra::inner(comm, w, mv_);
+      if ((part.colwise().squaredNorm().transpose().array() <= 0.01 * gram.diagonal().array()).all()) break;
     }
     T_.block(0, first, done_, width) = h.bottomRows(done_);
     T_.block(first, 0, width, done_) = h.bottomRows(done_).transpose();
     T_.block(first, first, width, width) = (h.bottomRows(width) + h.bottomRows(width).transpose()) / 2;
-    mv_ = algebra::multiply(M_, w);
-    append(w);
+    append(w, gram);
   }
 
   /// Ritz pairs of T in descending θ; residual j is ‖Op y_j − θ_j y_j‖_M.
@@ -69,10 +82,19 @@ class Krylov {
     if (pending_ > 0) residuals_ = (coupling_ * Y_.bottomRows(coupling_.cols())).colwise().norm().transpose();
   }
 
-  int converged(Index wanted, double tolerance) const {
+  /// How many of the first `wanted` pairs meet the tolerance.
+  Index converged(Index wanted, double tolerance) const {
     Index count = 0;
     while (count < std::min(wanted, done_) && residuals_[count] <= tolerance * std::abs(theta_[count])) ++count;
-    return static_cast<int>(count);
+    return count;
+  }
+
+  /// The first `wanted` pairs, and what may be the rest of the cluster at their end: at most `most`.
+  Index whole(Index wanted, Index most) const {
+    Index count = wanted;
+    while (count < std::min(most, done_) && theta_[count - 1] - theta_[count] <= close * std::abs(theta_[count]))
+      ++count;
+    return count;
   }
 
   /// Keeps `count` Ritz vectors and the pending block.
@@ -83,6 +105,7 @@ class Krylov {
     V().middleCols(count, pending_) = next;
     T_.setZero();
     T_.topLeftCorner(count, count) = theta_.head(count).asDiagonal();
+    coupling_ = coupling_ * Y_.bottomLeftCorner(coupling_.cols(), count).eval();
     done_ = count;
   }
 
@@ -94,11 +117,10 @@ class Krylov {
     return basis_.middleCols(locked_, capacity_ + block_);
   }
 
-  /// Takes a block that is orthogonal to everything, normalises it (mv_ is M w) and puts it behind; where it has lost
-  /// rank, start columns fill the places.
-  void append(algebra::Tall w) {
+  /// Takes a block that is orthogonal to everything, normalises it (mv_ is M w, `gram` is wᵀMw) and puts it behind;
+  /// where it has lost rank, start columns fill the places.
+  void append(algebra::Tall& w, const MatrixXd& gram) {
     const Index room = std::min(block_, space_ - done_);
-    const MatrixXd gram = algebra::inner(algebra::comm_of(M_), w, mv_);
     const Eigen::LLT<MatrixXd> cholesky(gram);
     const auto pivots = cholesky.matrixLLT().diagonal().array().abs();
     const bool whole = cholesky.info() == Eigen::Success && w.cols() == room &&
@@ -147,34 +169,40 @@ class Krylov {
   MatrixXd T_;
   Index done_ = 0, pending_ = 0, used_ = 0;
   algebra::Tall mv_;   ///< M times the pending block
-  MatrixXd coupling_;  ///< pending block x the block before it
+  MatrixXd coupling_;  ///< PᵀM Op C: pending block P, and the columns C right before it that Op couples with it
   Eigen::VectorXd theta_, residuals_;
   MatrixXd Y_;
 };
 
 }  // namespace
 
+int lanczos_columns(int pairs, int block) { return std::max(2 * pairs, pairs + 20 * block); }
+
 LanczosResult block_lanczos(const algebra::Matrix& M, const Operator& op, const algebra::ConstTallRef& locked,
                             const algebra::ConstTallRef& start, const LanczosOptions& given, const Progress& progress) {
   LanczosOptions options = given;
-  if (options.columns == 0) options.columns = std::max(2 * options.wanted, options.wanted + 20 * options.block);
+  const Index wanted = options.wanted, all = wanted + options.spare;
+  if (options.columns == 0) options.columns = lanczos_columns(options.wanted + options.spare, options.block);
   Krylov krylov(M, op, locked, start, options);
   LanczosResult result;
   for (int restarts = 0; !krylov.exhausted();) {
     krylov.extend();
     ++result.iterations;
-    const bool look = krylov.size() >= options.wanted || krylov.full() || krylov.exhausted();
+    const bool look = krylov.size() >= all || krylov.full() || krylov.exhausted();
     if (!look) continue;
     krylov.ritz();
-    const int done = krylov.converged(options.wanted, options.tolerance);
-    progress(done, options.wanted);
-    result.converged = done == options.wanted || krylov.exhausted();
+    const Index exact = krylov.whole(wanted, all);
+    result.accurate = krylov.converged(exact, options.tolerance);
+    progress(static_cast<int>(result.accurate), static_cast<int>(exact));
+    const bool spares = krylov.converged(all, std::max(options.tolerance, spare_tolerance)) == all;
+    result.converged = (result.accurate == exact && spares) || krylov.exhausted();
     if (result.converged) break;
     if (!krylov.full()) continue;
     if (restarts++ == options.restarts) break;
-    krylov.restart(std::min<Index>(krylov.size() - 1, (options.wanted + krylov.size()) / 2));
+    krylov.restart(std::min<Index>(krylov.size() - 1, (all + krylov.size()) / 2));
   }
-  const auto count = std::min<Index>(options.wanted, krylov.size());
+  const auto count = std::min<Index>(all, krylov.size());
+  if (krylov.exhausted()) result.accurate = count;
   if (count > 0) {
     result.theta = krylov.theta(count);
     result.vectors = krylov.vectors(count);

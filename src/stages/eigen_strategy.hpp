@@ -15,12 +15,13 @@ struct EigenProblem {
 /// The eigenpairs found, λ ascending, and how.
 struct Found {
   RitzPairs pairs;
+  Eigen::Index accurate = 0;  ///< so many of the lowest; of the others the vectors are rough
   int iterations = 0;
   Inverse inverse = {};
 };
 
-/// *Collective*. The `wanted` lowest flexible pairs (fewer only if there are no more). `known`: pairs that are already
-/// found.
+/// *Collective*. The `wanted` lowest flexible pairs (fewer only if there are no more), of which the last `spare_pairs`
+/// may be rough, unless they belong to a cluster with others. `known`: accurate pairs that are already found.
 Found find_direct(const EigenProblem& problem, int wanted, const algebra::Tall& known, const ModesOptions& options,
                   algebra::Factorization& solver, const ModesProgress& progress);
 Found find_by_krylov_schur(const EigenProblem& problem, int wanted);

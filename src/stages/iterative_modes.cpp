@@ -70,7 +70,8 @@ Found find_iteratively(const EigenProblem& problem, int wanted, const algebra::T
                              " of " + std::to_string(wanted) + " modes in " + std::to_string(found.iterations) +
                              " iterations",
                          Reason::iterative_solver_failed);
-  return {std::move(found.pairs), found.iterations, inverse};
+  const Eigen::Index accurate = found.pairs.values.size();
+  return {std::move(found.pairs), accurate, found.iterations, inverse};
 }
 
 }  // namespace ritz::stages

@@ -102,7 +102,7 @@ class Search {
       if (wanted == most_ || !found.pairs.values.allFinite())
         throw NumericalError("the eigensolver found no finite modes", Reason::modes_not_finite);
       wanted = std::min<Index>(2 * wanted, most_);
-      found = find(static_cast<int>(wanted), found.pairs.vectors);
+      found = find(static_cast<int>(wanted), found.pairs.vectors.leftCols(found.accurate));
     }
   }
 
@@ -143,7 +143,7 @@ class Search {
       if (missing == 0) return;
       if (missing < 0) break;
       const auto wanted = std::min<Index>(found.pairs.values.size() + missing, most_);
-      found = find(static_cast<int>(wanted), found.pairs.vectors);
+      found = find(static_cast<int>(wanted), found.pairs.vectors.leftCols(found.accurate));
       keep_clusters_whole(wanted);
     }
     throw NumericalError("the modes could not be certified: " + std::to_string(certificate.counted) +

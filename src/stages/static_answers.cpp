@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Index;
 
-constexpr Index solved_at_once = 48;
+constexpr Index solved_at_once = 16;
 constexpr double balanced = 1e-9;    ///< of a load: what is left of it where inertia bears it whole, by rounding
 constexpr double immaterial = 1e-7;  ///< of the size of an answer: what residual vectors may leave out
 constexpr std::uint64_t residual_sign_stream = 3002;
