@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # From a bare Debian 12 to pictures: installs what is missing and builds the programs. Computes a tuning fork's modes on
-# two ranks, strikes it, and draws what came out (out/fork). Plucks a bar (out/bar). Then bends (out/rubber) and twists (out/twist) a rubber
-# cantilever far beyond what modes alone can follow, reduced beside full.
+# two ranks, strikes it, and draws what came out (out/fork); plucks a bar and measures how its end moves (out/bar). Then
+# bends (out/rubber) and twists (out/twist) a rubber cantilever far beyond what modes alone can follow, reduced beside full.
 set -euo pipefail
 # shellcheck source=scripts/common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -11,7 +11,7 @@ build_programs ritz-reduce ritz-run ritz-full ritz-inspect
 PATH=$root/build/default/bin:$PATH
 
 out=out/fork
-say "1 of 3: a tuning fork, whose modes are computed on 2 ranks and which is then struck"
+say "1 of 4: a tuning fork, whose modes are computed on 2 ranks and which is then struck"
 mkdir -p "$out"
 mpirun -n 2 ritz-reduce -options_file config/fork.opts
 ritz-inspect --check "$out/model.h5"
@@ -19,15 +19,19 @@ ritz-run "$out/model.h5" --scene config/fork.toml --output "$out/motion.h5" --ev
 /usr/bin/python3 scripts/plot_modes.py "$out/model.h5" "$out/modes.png"
 /usr/bin/python3 scripts/plot_probes.py "$out/probes.csv" "$out/probes.png"
 
+say
+say "2 of 4: a steel bar, whose end is pulled and let go"
 mkdir -p out/bar
 mpirun -n 2 ritz-reduce -options_file config/bar.opts
 ritz-run out/bar/model.h5 --scene config/bar.toml --output out/bar/motion.h5 --every 25
+/usr/bin/python3 scripts/plot_modes.py out/bar/model.h5 out/bar/modes.png
 /usr/bin/python3 scripts/plot_probes.py out/bar/probes.csv out/bar/probes.png
 
 # reduced_beside_full NAME OPTIONS SCENE TITLE [--twist]
 reduced_beside_full() {
   local to=out/$1 options=$2 scene=$3 title=$4
   shift 4
+  say
   say "$title"
   mkdir -p "$to/full"
   mpirun -n 2 ritz-reduce -options_file "$options"
@@ -37,9 +41,9 @@ reduced_beside_full() {
     --title "${title#*: }" "$@"
 }
 reduced_beside_full rubber config/rubber.opts config/rubber_pull.toml \
-  "2 of 3: A rubber cantilever, 300 x 40 x 30 mm, pulled and let go: 2400 degrees of freedom beside 20"
+  "3 of 4: A rubber cantilever, 300 x 40 x 30 mm, pulled and let go: 2400 degrees of freedom beside 20"
 reduced_beside_full twist config/rubber_twist.opts config/rubber_twist.toml \
-  "3 of 3: A rubber cantilever, 300 x 45 x 30 mm, twisted and let go: 2400 degrees of freedom beside 5" --twist
+  "4 of 4: A rubber cantilever, 300 x 45 x 30 mm, twisted and let go: 2400 degrees of freedom beside 5" --twist
 
 say
 say "The model:            $out/model.h5 (for ParaView: $out/model.hdf)"
@@ -49,4 +53,5 @@ say "The probes:           $out/probes.csv"
 say "A plucked bar:        out/bar/model.h5, out/bar/motion.xdmf, out/bar/probes.csv"
 say "Rubber, bent:         out/rubber/model.h5, out/rubber/motion.xdmf, out/rubber/full/full.xdmf"
 say "Rubber, twisted:      out/twist/model.h5, out/twist/motion.xdmf, out/twist/full/full.xdmf"
-say "Pictures:             $out/modes.png, $out/probes.png, out/bar/probes.png, out/rubber/motion.png, out/twist/motion.png"
+say "Pictures:             $out/modes.png, $out/probes.png, out/bar/modes.png, out/bar/probes.png,"
+say "                      out/rubber/motion.png, out/twist/motion.png"

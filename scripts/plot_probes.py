@@ -74,13 +74,15 @@ def draw(times, columns, name, path):
             if label[-2] == letter:
                 axes.plot(1e3 * times, scale * signal, linewidth=0.8, label=label)
         axes.set(xlabel="time, ms", ylabel=f"{quantity}, {unit}", xlim=(start, end))
-        axes.legend(loc="upper right")
-    motions[0].set(title="Motion of the probes")
+        axes.legend(loc="lower right", bbox_to_anchor=(1, 1), ncols=3, frameon=False)  # where no curve is
+    motions[0].set_title("Motion of the probes", loc="left")
     if near < end:
-        motions[-1].set(title="Its beginning", xlim=(start, near))
+        motions[-1].set_title("Its beginning", loc="left")
+        motions[-1].set_xlim(start, near)
     _, unit, scale = QUANTITIES[name[-2]]
     tones.semilogy(frequencies, scale * amplitudes, linewidth=0.9)
-    tones.set(title=f"Spectrum of {name}", xlabel="frequency, Hz", ylabel=f"amplitude, {unit}",
+    tones.set_title(f"Spectrum of {name}", loc="left")
+    tones.set(xlabel="frequency, Hz", ylabel=f"amplitude, {unit}",
               xlim=(0, min(frequencies[-1], 12 * tone)), ylim=scale * amplitudes.max() * np.array([1e-6, 4]))
     tones.annotate(f"{tone:.1f} Hz", (tone, scale * amplitudes.max()), xytext=(8, 0), textcoords="offset points")
     for axes in panels:

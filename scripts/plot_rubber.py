@@ -19,6 +19,7 @@ from matplotlib.collections import PolyCollection  # noqa: E402
 TET10, SIZE = 38, 10  # XDMF's number of a quadratic tetrahedron, and its vertices
 EDGES = [(0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3)]  # whose middles are the vertices 4 ... 9
 COLOURS = {"full": "#9aa3ad", "reduced": "#d1495b"}
+WIDTH, PLOT = 12, 3.2  # of the picture, and the height of a plot below the shapes, inches
 LIGHT = np.array([-0.35, 0.6, 0.72])
 
 
@@ -122,8 +123,10 @@ def draw(reduced, full, chosen, curves, title, path):
     frame, faces = eye(), surface(full.cells)
     seen = np.concatenate([(m.points + m.u[i]) @ frame.T for m in (reduced, full) for i in chosen])
     low, high = seen[:, :2].min(axis=0) - 0.01, seen[:, :2].max(axis=0) + 0.01
-    figure = plt.figure(figsize=(12, 7.2), layout="constrained")
-    top, bottom = figure.subfigures(2, 1, height_ratios=[1.25, 1])
+    width, height = high - low
+    shapes = 2 * (WIDTH / len(chosen) * height / width) + 0.9
+    figure = plt.figure(figsize=(WIDTH, shapes + PLOT), layout="constrained")
+    top, bottom = figure.subfigures(2, 1, height_ratios=[shapes, PLOT])
     figure.suptitle(title, fontsize=13)
     grid = top.subplots(2, len(chosen), squeeze=False)
     for row, (name, motion) in zip(grid, (("full", full), ("reduced", reduced))):
@@ -132,7 +135,7 @@ def draw(reduced, full, chosen, curves, title, path):
             axes.set(aspect="equal", xlim=(low[0], high[0]), ylim=(low[1], high[1]), xticks=[], yticks=[])
             axes.set_frame_on(False)
             if name == "full":
-                axes.set_title(f"t = {full.times[i]:.2f} s", fontsize=10)
+                axes.set_title(f"t = {full.times[i]:.3g} s", fontsize=10)
         row[0].set_ylabel(name, fontsize=12, color=COLOURS[name])
     plots = bottom.subplots(1, len(curves), squeeze=False)[0]
     for axes, (label, of_full, of_reduced) in zip(plots, curves):
