@@ -8,6 +8,7 @@ the model with VTK's own reader of VTKHDF and needs no display.
 """
 import argparse
 import math
+import os
 
 import matplotlib
 import numpy as np
@@ -32,6 +33,8 @@ COLOURS = plt.get_cmap("plasma")
 def read_surface(path):
     """The boundary's vertices (n x 3), triangles (m x 3), and point vectors by name, curved cells finely divided."""
     reader = vtkHDFReader()
+    if not (os.path.isfile(path) and reader.CanReadFile(path)):
+        raise SystemExit(f"{path} is not a model that VTK can read")
     reader.SetFileName(path)
     surface = vtkDataSetSurfaceFilter()
     surface.SetInputConnection(reader.GetOutputPort())

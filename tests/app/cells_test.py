@@ -1,6 +1,7 @@
 """Every kind of cell through the programs: modes, derivatives, polynomial, motion, and what VTK sees of the files."""
 import unittest
 
+import h5py
 import numpy as np
 
 from program import InAFolder
@@ -76,6 +77,19 @@ class Cells(InAFolder):
                 self.assertIn(kind + " cells", self.inspect("model.h5").out)
                 self.move("model.h5", "--scene", "scene.toml", "--quiet")
 
+    def check_picture(self, model):
+        """What plot_modes.py draws is the file's: all modes by name, and at vertices their values."""
+        from plot_modes import read_surface
+        points, _, drawn = read_surface(str(model))
+        with h5py.File(model) as file:
+            stored = {name: values[:] for name, values in file["VTKHDF/PointData"].items()}
+            apart = np.linalg.norm(points[:, None] - file["VTKHDF/Points"][:], axis=2)
+        self.assertEqual(set(drawn), set(stored))
+        at_vertex, vertex = np.nonzero(apart < 1e-6)
+        self.assertGreaterEqual(len(vertex), 7 * 3 * 3 - 5)  # the cells' corners on the boundary
+        for name, values in stored.items():
+            np.testing.assert_array_equal(drawn[name][at_vertex], values[vertex])
+
     def test_what_vtk_sees(self):
         try:
             import vtkmodules.vtkIOHDF  # noqa: F401
@@ -84,7 +98,8 @@ class Cells(InAFolder):
         for kind in ACCURACY:
             for words in ([], ["-surface_only"]):
                 with self.subTest(kind=kind, words=words):
-                    self.reduce("-mesh", f"box:{BOX}/{kind}", "-fix", "xmin", *STEEL, "-modes", "1", "-quiet", *words)
+                    self.reduce("-mesh", f"box:{BOX}/{kind}", "-fix", "xmin", *STEEL, "-modes", "2", "-quiet", *words)
+                    self.check_picture(self.folder / "model.hdf")
                     volumes, areas = volume_and_area(self.folder / "model.hdf")
                     if words:
                         self.assertAlmostEqual(areas.sum(), 2 * (.2 + .15 + .2 * .15), delta=1e-12)

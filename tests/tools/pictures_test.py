@@ -65,6 +65,12 @@ class Modes(unittest.TestCase):
             programs.run("/usr/bin/python3", SCRIPTS / "plot_modes.py", f"{folder}/model.h5", f"{folder}/sheet.png")
             self.assertTrue(Path(folder, "sheet.png").read_bytes().startswith(b"\x89PNG"))
 
+    def test_what_is_no_model_is_refused_in_a_sentence(self):
+        for path in (Path(__file__), Path("there is no such file")):
+            with self.assertRaisesRegex(SystemExit, "is not a model that VTK can read") as refusal:
+                plot_modes.read_surface(str(path))
+            self.assertNotIn("\n", str(refusal.exception))
+
 
 class Probes(unittest.TestCase):
     def read(self, text):
