@@ -8,7 +8,7 @@ PALETTE = ("#8d99ae", "#e0a458", "#d1495b", "#2e86ab", "#2f3e46", "#6a994e", "#9
 COLOURS = {method.name: PALETTE[i % len(PALETTE)] for i, method in enumerate(METHODS)}
 TITLES = {method.name: method.title for method in METHODS}
 MARKS = {"": "o", "exact": "*", "avf": "o", "newmark": "s", "generalized-alpha": "D", "bdf2": "^",
-         "implicit-euler": "v", "central-difference": "P"}
+         "implicit-euler": "v", "central-difference": "P", "linearly-implicit": "X"}
 LEAST, LARGEST = 1e-6, 3.0  # errors at the edges; crosses stand at the upper one
 REAL = dict(color="0.55", linewidth=1, linestyle=":")
 

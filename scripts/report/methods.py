@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from report.scenes import Limits
 
 LINEAR_INTEGRATORS = ("exact", "avf", "newmark", "generalized-alpha", "bdf2", "implicit-euler", "central-difference")
-NONLINEAR_INTEGRATORS = LINEAR_INTEGRATORS[1:]
+NONLINEAR_INTEGRATORS = (*LINEAR_INTEGRATORS[1:], "linearly-implicit")
 FULL_INTEGRATORS = ("avf", "newmark", "implicit-euler")
 
 
@@ -102,7 +102,7 @@ class Form:
 FORMS = {
     "full": Form("full", 10),
     "quick": Form("quick", 3, Limits(sizes=((4, 0), (8, 0), (4, 8), (4, 14), (8, 20), (0, 10)),
-                                     integrators=("exact", "avf", "newmark", "implicit-euler"))),
+                                     integrators=("exact", "avf", "newmark", "linearly-implicit", "implicit-euler"))),
 }
 
 

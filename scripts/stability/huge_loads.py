@@ -48,7 +48,7 @@ def linear(bench, length):
 
 
 ASKED = "converged, or a failure in one sentence; never a frame with NaN"
-NAMES = ("static", "avf", "implicit-euler", "newmark")
+NAMES = ("static", "avf", "implicit-euler", "newmark", "linearly-implicit")
 ROWS = [Row(plain(f"huge_{name}"), f"loads x 1e3 ... 1e9, reduced, {name}", ASKED, reduced(name)) for name in NAMES]
 ROWS += [Row(plain(f"huge_full_{name}"), f"loads x 1e3 ... 1e9, the full model, {name}", ASKED, full(name), seconds=50)
          for name in ("static", "avf")]

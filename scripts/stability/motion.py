@@ -9,7 +9,7 @@ from programs import Failed
 BEAM = ["-mesh", "box:1,.1,.06/8,2,1/tet10", "-fix", "xmin", *SOFT]
 NEWTON = 1e-10  # the relative residual at which a step ends
 GAINED = 10 * NEWTON  # of the energy, by a method that only loses any: what that leaves open
-INTEGRATORS = ("avf", "implicit-euler", "bdf2", "newmark", "generalized-alpha")
+INTEGRATORS = ("avf", "implicit-euler", "bdf2", "newmark", "generalized-alpha", "linearly-implicit")
 
 
 def reduce_beam(bench, columns=10):

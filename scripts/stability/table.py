@@ -1,6 +1,6 @@
 """All rows, in the order of the report."""
-from . import (compression, contrast, degenerate, huge_loads, long_runs, near_incompressible, repeated, single, slender,
-               slivers, stiff_step, twist, units)
+from . import (compression, contrast, degenerate, huge_loads, long_runs, near_incompressible, repeated, restarts, single,
+               slender, slivers, static_loads, stiff_step, twist, units)
 
 GROUPS = {
     "Nearly incompressible": near_incompressible,
@@ -12,6 +12,8 @@ GROUPS = {
     "Compression": compression,
     "Huge loads": huge_loads,
     "Long runs": long_runs,
+    "Stopped and gone on with": restarts,
+    "Static loads": static_loads,
     "Repeated eigenvalues": repeated,
     "Too much or too little in the mesh": degenerate,
     "Units, scales and the origin": units,

@@ -269,9 +269,11 @@ Played play(const RunOptions& options, const scene::Scene& scene, std::vector<Ru
                              .result = results[i],
                              .output = written ? output_of(options, bodies[i]) : "",
                              .inverted_cells = told ? inside_out(bodies[i].model->geometry, recorder->latest(i)) : 0});
+    const std::string integrator(results[i].integrator);
     if (results[i].beyond) warnings.push_back(who(bodies[i]) + warning(*results[i].beyond, scene));
-    if (results[i].gain)
-      warnings.push_back(who(bodies[i]) + warning(*results[i].gain, std::string(results[i].integrator)));
+    if (results[i].gain) warnings.push_back(who(bodies[i]) + warning(*results[i].gain, integrator));
+    if (const auto text = results[i].errors ? too_long(*results[i].errors, integrator) : ""; !text.empty())
+      warnings.push_back(who(bodies[i]) + text);
   }
   if (written && !options.summary.empty())
     recorder->summary(files::json_text(summary(

@@ -85,13 +85,33 @@ std::string overdamped(const scene::Damping& damping) {
          "damping, and 2 % is written 0.02";
 }
 
+namespace {
+
+/// Of the largest displacement, the error of one step beyond which a motion is not to be believed.
+constexpr double too_wrong = .1;
+
+double percent_of_motion(double error, const world::StepErrors& errors) {
+  return errors.displacement > 0 ? 100 * error / errors.displacement : 0;
+}
+
+}  // namespace
+
 std::string error_line(const world::StepErrors& errors) {
-  const auto percent = [&](double error) { return errors.displacement > 0 ? 100 * error / errors.displacement : 0; };
   std::ostringstream text;
   text.precision(2);
-  text << "estimated error of the steps: at most " << percent(errors.largest)
-       << " % of the largest displacement in one, " << percent(errors.sum)
+  text << "estimated error of the steps: at most " << percent_of_motion(errors.largest, errors)
+       << " % of the largest displacement in one, " << percent_of_motion(errors.sum, errors)
        << " % in all, what later steps make of it not counted";
+  return text.str();
+}
+
+std::string too_long(const world::StepErrors& errors, const std::string& integrator) {
+  if (errors.largest <= too_wrong * errors.displacement) return "";
+  std::ostringstream text;
+  text.precision(2);
+  text << "the steps are too long for this motion: the worst of them is wrong by an estimated "
+       << percent_of_motion(errors.largest, errors) << " % of the largest displacement (" << integrator
+       << "); take shorter steps";
   return text.str();
 }
 

@@ -33,6 +33,9 @@ std::string overdamped(const scene::Damping& damping);
 /// A line: what the steps are wrong by, as estimated, in the largest step and in all.
 std::string error_line(const world::StepErrors& errors);
 
+/// A warning where one step's estimated error is more than a tenth of the largest displacement; empty if none is.
+std::string too_long(const world::StepErrors& errors, const std::string& integrator);
+
 /// A sentence that names integrators which hold the energy.
 
 std::string warning(const world::BeyondTraining& beyond, const scene::Scene& scene);

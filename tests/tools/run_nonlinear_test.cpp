@@ -126,6 +126,18 @@ TEST(RunNonlinear, WarnsOfEnergyFromNowhere) {
   EXPECT_THAT(test::run(folder.prepare(calm, test::nonlinear_sample_model())), Not(HasSubstr("warning")));
 }
 
+/// Where damping takes the energy, its balance does not tell.
+TEST(RunNonlinear, WarnsOfStepsThatAreTooLong) {
+  const test::RunFolder folder;
+  for (const auto& [step, warned] : {std::pair("0.5", true), {"0.01", false}}) {
+    const auto scene = "[time]\nstep = " + std::string(step) +
+                       "\nend = 10\nintegrator = 'linearly-implicit'\n[damping]\nalpha = 1\n" + load(20);
+    const auto said = test::run(folder.prepare(scene, test::nonlinear_sample_model()));
+    EXPECT_EQ(said.find("the steps are too long for this motion") != said.npos, warned) << said;
+    EXPECT_THAT(said, Not(HasSubstr("gained energy")));
+  }
+}
+
 /// J gained and lost, relative to what there was, as ritz-run prints them.
 std::pair<double, double> balance(const std::string& printed) {
   const auto number_after = [&](const std::string& words, std::size_t from) {

@@ -20,8 +20,8 @@ using testing::ThrowsMessage;
 
 const std::string all_of_the_tip =
     "[[probe]]\nname = 'p'\nset = 'tip'\nquantity = ['displacement', 'velocity', 'acceleration']\n";
-const std::vector<std::string> nonlinear_integrators = {"avf",  "newmark",        "generalized-alpha",
-                                                        "bdf2", "implicit-euler", "central-difference"};
+const std::vector<std::string> nonlinear_integrators = {
+    "avf", "newmark", "generalized-alpha", "linearly-implicit", "bdf2", "implicit-euler", "central-difference"};
 const double root_of_2 = std::sqrt(2.0);
 
 std::string time_of(double step, double end, const std::string& integrator) {
@@ -180,7 +180,7 @@ TEST(RunRestart, RepeatsStepsThatWereHalvedAndAStartOfItsOwn) {
       "[initial]\nz = [0, -0.5]\nvelocity = [0, 3]\n[[load]]\nset = 'tip'\ntotal = [0, 0, 2.8284271247461903]\n"
       "table = [[0, 0], [1, 1], [2, -1], [3, 1], [4, -1]]\n" +
       all_of_the_tip;
-  for (const auto* integrator : {"avf", "newmark", "bdf2", "implicit-euler"}) {
+  for (const auto* integrator : {"avf", "newmark", "linearly-implicit", "bdf2", "implicit-euler"}) {
     const test::RunFolder folder;
     EXPECT_THAT(test::run(folder.prepare(time_of(.5, 4, integrator) + hard, model)),
                 Not(HasSubstr(" 0 steps rejected")))
