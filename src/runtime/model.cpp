@@ -34,6 +34,13 @@ Eigen::VectorXd by_ratios(const Damping& damping, const Eigen::VectorXd& stiffne
   return d;
 }
 
+/// Whether nothing but rounding stands beside the diagonal.
+bool is_diagonal(const Eigen::MatrixXd& matrix) {
+  constexpr double rounding = 1e-13;
+  const Eigen::MatrixXd beside = matrix - Eigen::MatrixXd(matrix.diagonal().asDiagonal());
+  return beside.cwiseAbs().maxCoeff() <= rounding * matrix.cwiseAbs().maxCoeff();
+}
+
 template <class Scalar>
 Model<Scalar> oscillators(const Eigen::VectorXd& stiffness, const Damping& damping) {
   const Eigen::VectorXd d =
@@ -47,7 +54,8 @@ Model<Scalar> nonlinear(InternalForce<Scalar> force, const Damping& damping) {
   Eigen::MatrixXd D = damping.beta * rest;
   D.diagonal().array() += damping.alpha;
   D.diagonal() += by_ratios(damping, rest.diagonal(), rigid_stiffness * rest.diagonal().maxCoeff());
-  if (damping.beta == 0) return {.force = std::move(force), .damping = Vector<Scalar>(D.diagonal().cast<Scalar>())};
+  if (damping.beta == 0 || is_diagonal(rest))
+    return {.force = std::move(force), .damping = Vector<Scalar>(D.diagonal().cast<Scalar>())};
   return {.force = std::move(force), .damping = Matrix<Scalar>(D.cast<Scalar>())};
 }
 

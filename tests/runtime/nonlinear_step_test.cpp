@@ -106,6 +106,19 @@ TEST(NonlinearStep, OfALinearPolynomialIsTheLinearStep) {
   }
 }
 
+TEST(NonlinearStep, OfAReducedBasisDampingIsStoredAsItsDiagonal) {
+  const Damping damping{.alpha = 0.3, .beta = 0.02, .ratio = {}};
+  auto polynomial = test::random_polynomial(3);
+  polynomial.quadratic << 4, 1e-15, -1e-15, 9, 1e-15, 16;
+  const auto model = make_model<double>(polynomial, damping);
+  ASSERT_TRUE(std::holds_alternative<VectorXd>(model.damping));
+  EXPECT_EQ(std::get<VectorXd>(model.damping), VectorXd(0.3 + 0.02 * Eigen::Array3d(4, 9, 16)));
+  polynomial.quadratic[1] = 1e-9;  // more than rounding
+  const auto full = make_model<double>(polynomial, damping);
+  ASSERT_TRUE(std::holds_alternative<Eigen::MatrixXd>(full.damping));
+  EXPECT_EQ(std::get<Eigen::MatrixXd>(full.damping)(1, 0), 0.02 * 1e-9);
+}
+
 TEST(NonlinearStep, GoesOnFromAStoredStateBitByBit) {
   for (const auto& method : test::all_methods()) {
     auto motion = test::start(test::random_polynomial(6), method, 0.05, some(6), 1.0);
