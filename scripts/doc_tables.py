@@ -12,7 +12,7 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
-from report import compare, diagram, lean, table  # noqa: E402
+from report import compare, diagram, lean, page, table  # noqa: E402
 
 LONGEST = 260  # letters of a cell
 
@@ -28,7 +28,8 @@ def short(text):
 
 
 def reach(folder):
-    return markdown(*compare.reach(table.read(folder / "runs.csv"), diagram.TITLES, 0.01))
+    rows = table.read(folder / "runs.csv")
+    return f"{page.origin(rows)}\n\n{markdown(*compare.reach(rows, diagram.TITLES, 0.01))}"
 
 
 def scaled(row, column, scale):
@@ -59,10 +60,11 @@ def replaced(text, name, new):
 
 def main(report="report", docs="docs"):
     report, docs = Path(report), Path(docs)
-    for name, source, make, page in (("reach", "runs.csv", reach, "report.md"), ("lean", "lean.csv", lean_rows, "report.md"),
-                                     ("stability", "stability.csv", stability, "stability.md")):
+    for name, source, make, target in (("reach", "runs.csv", reach, "report.md"),
+                                       ("lean", "lean.csv", lean_rows, "report.md"),
+                                       ("stability", "stability.csv", stability, "stability.md")):
         if (report / source).exists():
-            (docs / page).write_text(replaced((docs / page).read_text(), name, make(report)))
+            (docs / target).write_text(replaced((docs / target).read_text(), name, make(report)))
     rows = table.read(report / "runs.csv")
     if rows:
         shutil.copy(report / f"{rows[0]['scene']}_work_precision.png", docs / "work_precision.png")
