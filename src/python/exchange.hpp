@@ -4,6 +4,7 @@
 #include <pybind11/numpy.h>
 
 #include <Eigen/Core>
+#include <chrono>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -83,5 +84,16 @@ std::size_t one_of(std::initializer_list<std::string_view> words, std::string_vi
 
 /// Warns as Python programs do: RuntimeWarning.
 void warn(const std::string& text);
+
+/// For long work without the interpreter's lock: throws what Python's signal handlers raise, such as KeyboardInterrupt
+/// after Ctrl-C. Looks ten times a second.
+class Interruptions {
+ public:
+  void look();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point next_ = Clock::now();
+};
 
 }  // namespace ritz::python

@@ -22,6 +22,8 @@
 namespace ritz::python {
 namespace {
 
+constexpr py::ssize_t steps_between_looks = 256;  ///< at the clock: some of a step's own time
+
 /// A body that moves, with what its steps cost so far.
 struct Instance {
   Instance(Equation of, world::Instance<double> start) : equation(std::move(of)), moving(std::move(start)) {}
@@ -131,8 +133,10 @@ py::array_t<double> steps(Instance& instance, py::handle given) {
   py::array_t<double> states(Shape{count, r});
   double* to = states.mutable_data();
   const double* from = loads.data();
+  Interruptions interruptions;
   const py::gil_scoped_release released;
   for (py::ssize_t n = 0; n < count; ++n, from += r, to += r) {
+    if (n % steps_between_looks == 0) interruptions.look();
     advance(instance, Eigen::Map<const Eigen::VectorXd>(from, r));
     Eigen::Map<Eigen::VectorXd>(to, r) = instance.moving.state.z();
   }
@@ -190,7 +194,7 @@ void define_instance(py::module_& module) {
           "its halves converge; the state is then what it was.")
       .def("steps", &steps, py::arg("loads"),
            "A step for each row of `loads`, (steps, r), the loads at the ends of the steps. Returns z after each,\n"
-           "(steps, r). Where one raises NumericalError, those before it were made.")
+           "(steps, r). Where one raises NumericalError, or Ctrl-C ends them, those before it were made.")
       .def("copy", &copy, "Another instance in the same state.")
       .def("__copy__", &copy)
       .def_property_readonly("z", alone([](const Instance& i) { return copied(i.moving.state.z()); }),

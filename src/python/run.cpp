@@ -3,7 +3,6 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include <chrono>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -97,22 +96,6 @@ std::vector<tools::RunBody> cast(const scene::Scene& scene, const GivenModel& mo
 struct States {
   std::vector<double> times;
   std::vector<std::vector<double>> z;  ///< of each body, one state after the other
-};
-
-/// Ends a run by whatever Python's signal handlers raise, such as KeyboardInterrupt; looks ten times a second.
-class Interruptions {
- public:
-  void look() {
-    const auto now = Clock::now();
-    if (now < next_) return;
-    next_ = now + std::chrono::milliseconds(100);
-    const py::gil_scoped_acquire held;
-    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point next_ = Clock::now();
 };
 
 /// What came of a body.

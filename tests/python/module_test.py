@@ -443,6 +443,23 @@ class Scenes(OfModels):
                 ritz.run(scene, self.model)
             self.assertEqual(ritz.run({"time": {"step": .1, "end": 1}}, self.model).warnings, [])
 
+    def test_an_interruption_ends_steps_after_a_whole_one(self):
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+        start = lambda: self.hard.equation().instance(1e-3, z=[.5, -.2])  # noqa: E731
+        moved, same = start(), start()
+        loads = np.zeros((4_000_000, 2))
+        timer = threading.Timer(.3, lambda: os.kill(os.getpid(), signal.SIGINT))
+        timer.start()
+        with self.assertRaises(KeyboardInterrupt):
+            moved.steps(loads)
+        timer.join()
+        made = round(moved.t / 1e-3)
+        self.assertTrue(0 < made < len(loads), made)
+        np.testing.assert_array_equal(same.steps(loads[:made])[-1], moved.z)
+        moved.step()
+        same.step()
+        np.testing.assert_array_equal(same.velocity, moved.velocity)
+
     def test_an_interruption_ends_a_run_and_leaves_nothing(self):
         signal.signal(signal.SIGINT, signal.default_int_handler)
         before = self.files()
