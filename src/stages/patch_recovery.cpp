@@ -16,11 +16,11 @@ namespace {
 
 using Eigen::Index;
 
-constexpr Index at_a_time = 8;                                      ///< columns of u at a time
-constexpr int quadratic_from = 4;                                   ///< cells around a corner
-constexpr double least_determined = 1e-6;                           ///< eigenvalue of the fit, relative to the largest
-constexpr int of_strain = 6;                                        ///< xx yy zz xy yz zx of the tensor
-constexpr int corners = 4;                                          ///< of a tetrahedron
+constexpr Index at_a_time = 8;             ///< columns of u at a time
+constexpr int quadratic_from = 8;          ///< cells around a corner: of fewer, quadratic fits go astray outside
+constexpr double least_determined = 1e-4;  ///< eigenvalue of the fit, relative to the largest
+constexpr int of_strain = 6;               ///< xx yy zz xy yz zx of the tensor
+constexpr int corners = 4;                 ///< of a tetrahedron
 using Strains6 = Eigen::Matrix<double, of_strain, Eigen::Dynamic>;  ///< a column a place
 
 /// 1, x, y, z and, if they are wanted, the six products of two, a row a place.
