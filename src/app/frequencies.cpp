@@ -32,7 +32,7 @@ std::string missing_mass(const Eigen::RowVector3d& shares) {
   if (axes.empty()) return "";
   return "these modes hold only " + axes +
          " of the body's mass, that of held vertices included: gravity, shaking and static loads along these axes are "
-         "not answered in full; take more modes\n";
+         "not answered in full; take more modes, or add -residual_vectors, which makes static answers exact\n";
 }
 
 /// "rigid" or "flexible".
@@ -67,7 +67,9 @@ std::string frequencies_csv(const model::Modes& modes, const model::Inertia& ine
   return text;
 }
 
-std::string modes_lines(const model::Modes& modes, const model::Inertia& inertia, const Eigen::VectorXd& mesh_errors) {
+std::string modes_lines(const model::Modes& modes, const model::Inertia& inertia, const Eigen::VectorXd& mesh_errors,
+                        Voice voice) {
+  const bool details = voice == Voice::verbose;
   const Eigen::Vector3d centre = inertia.centre_of_mass();
   const Eigen::Matrix3d tensor = inertia.tensor();
   const Eigen::MatrixXd masses = inertia.effective_masses();
@@ -79,13 +81,13 @@ std::string modes_lines(const model::Modes& modes, const model::Inertia& inertia
   const bool moving = masses.rows() == modes.eigenvalues.size();
   text += "  mode  kind       frequency Hz";
   if (mesh_errors.size() > 0) text += "          estimated error";
-  text += "    residual";
+  if (details) text += "    residual";
   text += moving ? "   effective mass x      y      z\n" : "\n";
   const auto shown = std::min(most_rows, modes.eigenvalues.size());
   for (Eigen::Index i = 0; i < shown; ++i) {
     text += formatted("%6td  %-8s %14.7g", i + 1, kind_of(modes, i), model::frequency(modes.eigenvalues[i]));
     if (mesh_errors.size() > 0) text += formatted("   mesh: about %+8.2g %%", 100 * mesh_errors[i]);
-    text += formatted("  %10.2e", modes.residuals[i]);
+    if (details) text += formatted("  %10.2e", modes.residuals[i]);
     text += moving ? formatted("          %6.2f %% %6.2f %6.2f\n", 100 * masses(i, 0) / mass, 100 * masses(i, 1) / mass,
                                100 * masses(i, 2) / mass)
                    : "\n";
@@ -93,21 +95,20 @@ std::string modes_lines(const model::Modes& modes, const model::Inertia& inertia
   if (shown < modes.eigenvalues.size())
     text += formatted("  ... %td more in the table of frequencies\n", modes.eigenvalues.size() - shown);
   if (moving)
-    text += formatted("   all modes                                    %6.2f %% %6.2f %6.2f\n",
-                      100 * masses.col(0).sum() / mass, 100 * masses.col(1).sum() / mass,
+    text += "   all modes" + std::string(29 + (mesh_errors.size() > 0 ? 25 : 0) + (details ? 12 : 0), ' ') +
+            formatted("%6.2f %% %6.2f %6.2f\n", 100 * masses.col(0).sum() / mass, 100 * masses.col(1).sum() / mass,
                       100 * masses.col(2).sum() / mass) +
             missing_mass(masses.colwise().sum() / mass);
-  if (moving) text += participation(inertia, shown);
+  if (moving && details) text += participation(inertia, shown);
   const auto& c = modes.certificate;
   if (c.kind == model::Certified::inertia)
     text +=
-        formatted(
-            "certified: none is missing; an independent count (Sturm sequence of K - sigma M) has %lld modes below "
-            "%.6g Hz, as many as were found",
-            static_cast<long long>(c.counted), model::frequency(c.shift)) +
+        formatted("certified: no mode is missing; an independent count%s has %lld below %.6g Hz, as many as were found",
+                  details ? " (Sturm sequence of K - sigma M)" : "", static_cast<long long>(c.counted),
+                  model::frequency(c.shift)) +
         (c.found > modes.eigenvalues.size() ? formatted("; the first %td are kept\n", modes.eigenvalues.size()) : "\n");
   else if (std::ranges::count(modes.kinds, model::ModeKind::flexible) > 0)
-    text += "not certified: without a factorization nothing counts the modes; -solver direct does\n";
+    text += "not certified: modes may be missing, as only -solver direct can count them\n";
   return text;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include <string>
 
+#include "ritz/base/program.hpp"
 #include "ritz/model/model.hpp"
 
 namespace ritz::app {
@@ -14,7 +15,9 @@ std::string frequencies_csv(const model::Modes& modes, const model::Inertia& ine
                             const Eigen::VectorXd& mesh_errors);
 
 /// The first modes, the certificate and the effective masses, as text, and along which axes the modes hold less than
-/// 90 % of the mass. `inertia` and `mesh_errors` as for frequencies_csv.
-std::string modes_lines(const model::Modes& modes, const model::Inertia& inertia, const Eigen::VectorXd& mesh_errors);
+/// 90 % of the mass; to a verbose voice residuals and participation factors too. `inertia` and `mesh_errors` as for
+/// frequencies_csv.
+std::string modes_lines(const model::Modes& modes, const model::Inertia& inertia, const Eigen::VectorXd& mesh_errors,
+                        Voice voice);
 
 }  // namespace ritz::app

@@ -146,8 +146,8 @@ void simulate(MPI_Comm comm, const config::Config& config) {
     if (summary) summary->publish();
     recorder.publish();
   });
-  progress.line(result_lines(result, problem.dofs.total) + "\n" + peak_memory_line(comm) + "\n" + outputs.replaced() +
-                "wrote " + config.output.string());
+  progress.line(result_lines(result, problem.dofs.total, config.voice) + "\n" + peak_memory_line(comm) + "\n" +
+                outputs.replaced() + "wrote " + config.output.string());
 }
 
 }  // namespace ritz::app

@@ -28,14 +28,19 @@ Json energy_summary(const std::optional<EnergyBalance>& balance) {
 
 }  // namespace
 
-std::string result_lines(const FullResult& result, std::int64_t degrees_of_freedom) {
-  std::string text = std::to_string(result.steps) + " steps of " + std::to_string(degrees_of_freedom) +
-                     " degrees of freedom: " + std::to_string(result.newton_iterations) + " Newton iterations, " +
-                     std::to_string(result.rejected);
+std::string result_lines(const FullResult& result, std::int64_t degrees_of_freedom, Voice voice) {
+  const std::string step = result.balance ? "step" : "load step";
+  std::string text =
+      counted(result.steps, step, step + "s") + " of " + std::to_string(degrees_of_freedom) + " degrees of freedom";
+  if (result.rejected > 0)
+    text += "; " + counted(result.rejected, "attempt", "attempts") + " did not converge and went on in halves";
+  if (voice == Voice::verbose)
+    text += "\n  " + std::to_string(result.newton_iterations) + " Newton iterations, " +
+            counted(result.factorizations, "factorization", "factorizations");
   if (const auto& balance = result.balance)
-    text += " steps rejected and halved\nenergy balance: at most " + shown(largest_drift(*balance), 3) +
-            " J of E - E0 - W + Q, the largest energy being " + shown(balance->largest, 3) + " J";
-  else text += " load increments halved";
+    text += "\nenergy balance: at most " + shown(largest_drift(*balance), 3) +
+            " J came from nowhere or were lost (energy - energy at the start - work + damping), of " +
+            shown(balance->largest, 3) + " J in the body";
   if (const auto cells = result.inverted_cells; cells > 0)
     text += "\n" + counted(cells, "cell is", "cells are") + " inside out at the end";
   return text;

@@ -72,7 +72,7 @@ double since(std::chrono::steady_clock::time_point start) {
 
 Progress::Progress(MPI_Comm comm, Voice voice)
     : comm_(comm), terminal_(writes_to_terminal()), root_(parallel::rank(comm) == 0) {
-  speaks_ = root_ && voice == Voice::normal;
+  speaks_ = root_ && voice != Voice::quiet;
 }
 
 Progress::Timer::Timer(Progress& p, const std::string& stage)

@@ -144,7 +144,8 @@ void reduce(MPI_Comm comm, const config::Config& config) {
     written.publish();
   });
   progress.line(size_line(extent(mesh, problem.materials), modes.modes) + "\n" +
-                modes_lines(modes.modes, of_modes, errors) + basis_lines(reduced, forces, inertia) +
+                modes_lines(modes.modes, of_modes, errors, config.voice) +
+                basis_lines(reduced, forces, inertia, config.voice) +
                 static_error_lines(config, reduced.figures.static_errors, residual) + peak_memory_line(comm) + "\n" +
                 outputs->replaced() + "wrote " + config.output.string());
 }

@@ -157,44 +157,69 @@ ReducedForces reduce_forces(const config::Config& config, const stages::Problem&
   return forces;
 }
 
-std::string basis_lines(const ReducedBasis& basis, const ReducedForces& forces, const model::Inertia& inertia) {
+namespace {
+
+std::string polynomial_lines(const ReducedForces& forces, Voice voice) {
+  const auto& [value, errors] = *forces.polynomial;
+  std::string text = formatted(
+      "forces of large displacements (St. Venant-Kirchhoff law%s): a polynomial, which agrees with the full model to "
+      "%.0e\n",
+      forces.cubature ? " of the same stiffness at rest" : "",
+      std::max({errors.force, errors.energy, errors.stiffness}));
+  if (voice == Voice::verbose)
+    text +=
+        formatted("  %td quartic coefficients; differs by %.1e in forces, %.1e in energy, %.1e in stiffness at rest\n",
+                  value.quartic.size(), errors.force, errors.energy, errors.stiffness);
+  return text;
+}
+
+std::string cubature_lines(const ReducedForces& forces) {
+  const auto& error = forces.cubature->errors.back();
+  return formatted(
+      "%s, summed over %td cells: errors of forces at shapes that were not trained on, root mean square %.2g %% of low "
+      "modes (largest %.2g %%), %.2g %% of statics (largest %.2g %%)\n",
+      forces.polynomial ? "what the materials have beyond it" : "forces of large displacements",
+      std::ssize(forces.cubature->cells), 100 * error.lifts.mean_square_root, 100 * error.lifts.largest,
+      100 * error.statics.mean_square_root, 100 * error.statics.largest);
+}
+
+}  // namespace
+
+std::string basis_lines(const ReducedBasis& basis, const ReducedForces& forces, const model::Inertia& inertia,
+                        Voice voice) {
   if (!basis.reduction) return "";
+  const bool details = voice == Voice::verbose;
   const auto& [stiffness, residual, sigma, discarded] = *basis.reduction;
   const auto kept = basis.reduction->kept();
   std::string text = formatted("basis: %td columns", stiffness.size());
   if (residual > 0) text += formatted(", %td of them static answers to loads", residual);
-  if (kept > 0)
-    text += formatted("; %td of %td independent directions, of singular values %.3g to %.3g, %.3g left out", kept,
-                      sigma.size(), sigma[0], sigma[kept - 1], discarded);
+  if (kept > 0) text += formatted("; the strongest %td of %td independent shapes", kept, sigma.size());
+  if (kept > 0 && details)
+    text += formatted(", of singular values %.3g to %.3g, %.3g left out", sigma[0], sigma[kept - 1], discarded);
+  if (details && basis.figures.orthonormality)
+    text += formatted("; orthonormal to %.1e", *basis.figures.orthonormality);
   text += '\n';
   const Eigen::RowVector3d masses = 100 / inertia.mass() * inertia.effective_masses().colwise().sum();
   text += formatted("effective mass of the basis, all columns: %.2f %% %.2f %.2f\n", masses[0], masses[1], masses[2]);
   const auto& [orthonormality, derivatives, taylor_slope, static_errors, accuracy] = basis.figures;
-  if (derivatives)
-    text += formatted(
-        "modal derivatives: of %d pairs of modes %d solved, %d too small to matter; checked: the error of a Taylor "
-        "series with them falls with the power %.3f of the amplitude (3 is right)\n",
-        derivatives->pairs, derivatives->solved, derivatives->pairs - derivatives->solved, taylor_slope.value_or(0));
+  if (derivatives) {
+    text += formatted("modal derivatives of %d pairs of modes, checked against the full model's forces\n",
+                      derivatives->pairs);
+    if (details)
+      text += formatted(
+          "  %d solved in %d iterations, to a residual of %.1e, %d too small to matter; the error of a Taylor series "
+          "with "
+          "them falls with the power %.3f of the amplitude (3 is right)\n",
+          derivatives->solved, derivatives->iterations, derivatives->residual, derivatives->pairs - derivatives->solved,
+          taylor_slope.value_or(0));
+  }
   if (accuracy)
     text += formatted(
         "accuracy: %d columns of the static answer, %d modes and their derivatives; error on the static path "
         "%.2e (%.2e asked)\n",
         accuracy->reached.columns, accuracy->reached.modes, accuracy->reached.error, accuracy->target);
-  if (const auto& polynomial = forces.polynomial)
-    text += formatted(
-        "polynomial of the St. Venant-Kirchhoff forces: %td quartic coefficients; checked: differs from the full "
-        "model by %.1e in forces, %.1e in energy, %.1e in stiffness at rest\n",
-        polynomial->value.quartic.size(), polynomial->errors.force, polynomial->errors.energy,
-        polynomial->errors.stiffness);
-  if (const auto& cubature = forces.cubature) {
-    const auto& error = cubature->errors.back();
-    text += formatted(
-        "cubature of %s: %td cells; error of forces at poses not trained on, in the energy norm: %.2g %% (largest "
-        "%.2g %%) of low modes, %.2g %% (largest %.2g %%) of statics\n",
-        forces.polynomial ? "what the polynomial lacks" : "the whole energy", std::ssize(cubature->cells),
-        100 * error.lifts.mean_square_root, 100 * error.lifts.largest, 100 * error.statics.mean_square_root,
-        100 * error.statics.largest);
-  }
+  if (forces.polynomial) text += polynomial_lines(forces, voice);
+  if (forces.cubature) text += cubature_lines(forces);
   return text;
 }
 

@@ -72,6 +72,7 @@ ReducedForces reduce_forces(const config::Config& config, const stages::Problem&
                             const mesh::VertexRows& u, Progress& progress);
 
 /// The results as text to be printed; empty for a linear model.
-std::string basis_lines(const ReducedBasis& basis, const ReducedForces& forces, const model::Inertia& inertia);
+std::string basis_lines(const ReducedBasis& basis, const ReducedForces& forces, const model::Inertia& inertia,
+                        Voice voice);
 
 }  // namespace ritz::app

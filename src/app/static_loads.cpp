@@ -96,7 +96,7 @@ std::string static_error_lines(const config::Config& config, const std::vector<S
     mended += (mended.empty() ? "" : ",") + listed(place);
   }
   if (list.empty()) return text;
-  text += "what the static answers to loads lack, in the energy norm: " + list;
+  text += "of the static answer to a load this basis misses, in the energy norm: " + list;
   if (said > most_said) text += " and less of others", mended = "all";
   if (!config.accuracy) text += "; -residual_vectors " + mended + " makes them exact for small displacements";
   return text + '\n';

@@ -55,7 +55,7 @@ struct FullResult {
 };
 
 /// The results as text to be printed.
-std::string result_lines(const FullResult& result, std::int64_t degrees_of_freedom);
+std::string result_lines(const FullResult& result, std::int64_t degrees_of_freedom, Voice voice);
 
 /// *Collective*. The results as members of the summary.
 files::Json::Object full_summary(const config::Config& config, const scene::Scene& scene,

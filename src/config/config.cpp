@@ -196,6 +196,13 @@ FullOptions read_full(Database& options, Program program) {
   return full;
 }
 
+Voice read_voice(Database& options) {
+  const bool quiet = options.flag("quiet"), verbose = options.flag("verbose");
+  if (quiet && verbose)
+    throw InputError("options -quiet and -verbose contradict each other: leave out one or the other");
+  return quiet ? Voice::quiet : verbose ? Voice::verbose : Voice::normal;
+}
+
 }  // namespace
 
 Config read_config(MPI_Comm comm, Given given, Program program) {
@@ -228,7 +235,7 @@ Config read_config(MPI_Comm comm, Given given, Program program) {
   config.goal = options.flag("plan") ? Goal::plan : Goal::model;
   if (program == Program::full && config.goal == Goal::plan)
     throw InputError("option -plan is ritz-reduce's: ritz-full has no plan to print; leave it out");
-  config.voice = options.flag("quiet") ? Voice::quiet : Voice::normal;
+  config.voice = read_voice(options);
   config.exported = static_cast<Export>(options.choice("export", {"none", "matrixmarket", "petsc"}, 0));
   config.output = options.text("output", program == Program::full ? "full.h5" : "model.h5");
   config.summary = options.text("summary");

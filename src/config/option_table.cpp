@@ -118,6 +118,8 @@ constexpr auto run_options = std::to_array<OptionEntry>({
      "options from a file, one a line, quotes as on a command line (.yml or .yaml: YAML); the command line wins"},
     {"summary", "FILE.json", "", "none", "write everything that is printed as numbers, to a file that scripts read"},
     {"quiet", "", "", "off", "print only warnings and errors"},
+    {"verbose", "", "", "off",
+     "print also how the numerics went: residuals, iterations, singular values, checks, participation factors"},
     {"help", "", "", "", "this text; -h and --help say the same"},
     {"version", "", "", "", "the versions of this program and of its libraries"},
 });

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "ritz/base/program.hpp"
 #include "ritz/files/claim.hpp"
 #include "ritz/files/json.hpp"
 #include "ritz/format/parts.hpp"
@@ -14,24 +15,25 @@
 
 namespace ritz::tools {
 
-/// Prints all there is: provenance, the parts of each body, the report, the datasets. Frequencies in Hz, the rest in
+/// Prints what there is: the parts of each body, the program and its options, the report; to a verbose voice also
+/// residuals, participation factors, checksums, all figures of the report, the datasets. Frequencies in Hz, the rest in
 /// SI. Throws InputError for a damaged file.
-void describe(const format::ModelReader& in, std::ostream& out);
+void describe(const format::ModelReader& in, Voice voice, std::ostream& out);
 
 /// "tet4"; of cells that ritz does not know "VTK type 13".
 std::string cell_name(std::uint8_t vtk_type);
 
 void describe_geometry(const model::Geometry& geometry, std::ostream& out);
 void describe_basis(const format::BasisSize& size, std::ostream& out);
-/// A row a mode: kind, frequency, residual; and what certifies that none is missing.
-void describe_modes(const model::Modes& modes, std::ostream& out);
+/// A row a mode: kind and frequency; and what certifies that none is missing.
+void describe_modes(const model::Modes& modes, Voice voice, std::ostream& out);
 /// What U was cut from, and by how much.
-void describe_reduction(const model::Reduction& reduction, std::ostream& out);
+void describe_reduction(const model::Reduction& reduction, Voice voice, std::ostream& out);
 /// Counts of coefficients and their size.
 void describe_polynomial(const model::Polynomial& polynomial, std::ostream& out);
 void describe_cubature(const model::Cubature& cubature, std::ostream& out);
 /// Mass, centre, tensor, and the effective masses of U's columns.
-void describe_inertia(const model::Inertia& inertia, std::ostream& out);
+void describe_inertia(const model::Inertia& inertia, Voice voice, std::ostream& out);
 void describe_loads(const std::vector<model::SetLoad>& loads, std::ostream& out);
 
 /// What was measured of a body.

@@ -33,11 +33,12 @@ std::string material_text(const fem::Material& material) {
                    elastic.moduli ? " (means over all directions)" : "", material.density);
 }
 
-std::string certificate_text(const model::Certificate& c) {
+std::string certificate_text(const model::Certificate& c, bool details) {
   if (c.kind == model::Certified::no) return "not certified: modes may be missing";
   const auto name = std::string(format::name(c.kind));
-  return formatted("certified (%s): %s eigenvalues below %.6g rad²/s² (%.6g Hz), %s found", name.c_str(),
-                   grouped(c.counted).c_str(), c.shift, model::frequency(c.shift), grouped(c.found).c_str());
+  return formatted("certified: no mode is missing; an independent count%s has %s below %.6g Hz, as many as were found",
+                   details ? formatted(" (%s of K − σM, σ = %.6g rad²/s²)", name.c_str(), c.shift).c_str() : "",
+                   grouped(c.counted).c_str(), model::frequency(c.shift));
 }
 
 }  // namespace
@@ -74,24 +75,28 @@ void describe_basis(const format::BasisSize& size, std::ostream& out) {
       << byte_size(static_cast<std::uint64_t>(24 * size.vertices * size.columns)) << '\n';
 }
 
-void describe_modes(const model::Modes& modes, std::ostream& out) {
+void describe_modes(const model::Modes& modes, Voice voice, std::ostream& out) {
+  const bool details = voice == Voice::verbose;
   const auto rigid = std::ranges::count(modes.kinds, model::ModeKind::rigid);
   const auto flexible = std::ssize(modes.kinds) - rigid;
   out << heading("modes") << rigid << " rigid, " << flexible << " flexible\n";
-  item(out) << certificate_text(modes.certificate) << '\n';
-  item(out) << formatted("mass-orthonormal to %.1e\n\n", modes.orthonormality);
-  item(out) << "mode  kind       frequency, Hz   eigenvalue, rad²/s²   residual\n";
+  item(out) << certificate_text(modes.certificate, details) << '\n';
+  if (details) item(out) << formatted("mass-orthonormal to %.1e\n", modes.orthonormality);
+  out << '\n';
+  item(out) << "mode  kind       frequency, Hz" << (details ? "   eigenvalue, rad²/s²   residual\n" : "\n");
   for (Eigen::Index i = 0; i < modes.eigenvalues.size(); ++i) {
     const auto at = static_cast<std::size_t>(i);
     const double value = modes.eigenvalues[i];
-    item(out) << formatted("%4td  %-8s %15.7g   %19.10g   %8.1e%s\n", i + 1, format::name(modes.kinds[at]).data(),
-                           model::frequency(value), value, modes.residuals[i], modes.floor_applies[at] ? " *" : "");
+    item(out) << formatted("%4td  %-8s %15.7g", i + 1, format::name(modes.kinds[at]).data(), model::frequency(value));
+    if (details)
+      out << formatted("   %19.10g   %8.1e%s", value, modes.residuals[i], modes.floor_applies[at] ? " *" : "");
+    out << '\n';
   }
-  if (std::ranges::count(modes.floor_applies, 1) > 0)
+  if (details && std::ranges::count(modes.floor_applies, 1) > 0)
     item(out) << "* held to the rounding floor 10 ε‖K‖‖ψ‖, which is above the usual gate\n";
 }
 
-void describe_reduction(const model::Reduction& reduction, std::ostream& out) {
+void describe_reduction(const model::Reduction& reduction, Voice voice, std::ostream& out) {
   const auto r = reduction.stiffness.size(), kept = reduction.kept();
   const auto& sigma = reduction.singular_values;
   out << heading("reduction") << r << " columns";
@@ -100,6 +105,7 @@ void describe_reduction(const model::Reduction& reduction, std::ostream& out) {
   if (sigma.size() > 0) out << " of " << sigma.size() << " that were found";
   else if (reduction.residual_vectors > 0) out << " modes";
   out << '\n';
+  if (voice != Voice::verbose) return;
   if (r > 0)
     item(out) << formatted("λ of UᵀKU %.6g … %.6g rad²/s²\n", reduction.stiffness[0], reduction.stiffness[r - 1]);
   if (kept > 0)
@@ -114,7 +120,7 @@ void describe_polynomial(const model::Polynomial& p, std::ostream& out) {
       << byte_size(static_cast<std::uint64_t>(8 * count)) << '\n';
 }
 
-void describe_inertia(const model::Inertia& inertia, std::ostream& out) {
+void describe_inertia(const model::Inertia& inertia, Voice voice, std::ostream& out) {
   const auto centre = inertia.centre_of_mass();
   out << heading("inertia") << formatted("mass    %.9g kg\n", inertia.mass());
   item(out) << formatted("centre  %.9g  %.9g  %.9g m\n", centre[0], centre[1], centre[2]);
@@ -134,6 +140,7 @@ void describe_inertia(const model::Inertia& inertia, std::ostream& out) {
   };
   for (Eigen::Index i = 0; i < effective.rows(); ++i) row(std::to_string(i + 1), effective.row(i));
   row("sum", effective.colwise().sum());
+  if (voice != Voice::verbose) return;
   out << '\n';
   item(out) << "participation factors UᵀMR: along x y z, √kg; about x y z through the centre, √kg m\n";
   const Eigen::MatrixXd factors = inertia.participation_factors();

@@ -32,8 +32,12 @@ int main(int argc, char** argv) {
   CLI::App app("Says what is in a reduced model: parts, frequencies, inertia, where it came from.", "ritz-inspect");
   std::filesystem::path path, summary;
   bool check = false;
+  Voice voice = Voice::normal;
   app.add_option("model", path, "The model file, as ritz-reduce wrote it")->required();
   app.add_flag("--check", check, "Verify checksums and invariants instead; exit code 2 when one fails");
+  app.add_flag_callback(
+      "--verbose", [&] { voice = Voice::verbose; },
+      "Say also residuals, participation factors, checksums, versions, all figures of the report, datasets");
   app.add_option("--summary", summary, "Write what is in it, as numbers: docs/summary.md")->type_name("FILE.json");
   try {
     tools::parse(app, argc, argv);
@@ -45,7 +49,7 @@ int main(int argc, char** argv) {
     const format::ModelReader in(path);
     std::optional<std::vector<tools::CheckedBody>> checked;
     if (check) checked = tools::check(in, std::cout);
-    else tools::describe(in, std::cout);
+    else tools::describe(in, voice, std::cout);
     if (claim) tools::write_summary(tools::summary(in, checked), summary, *claim);
     return said();
   } catch (const CLI::Success& asked) {  // --help or --version

@@ -157,14 +157,16 @@ std::vector<world::RunResult> run_to_end(const RunOptions& options, const scene:
   return results;
 }
 
-void say(const BodyResult& of, const scene::Scene& scene, std::int64_t frames, std::ostream& out) {
+void say(const BodyResult& of, const scene::Scene& scene, std::int64_t frames, Voice voice, std::ostream& out) {
   const auto& [body, result, output, inverted] = of;
   const bool timed = std::holds_alternative<scene::Time>(scene.analysis);
   out << who(body) << result.steps << (timed ? " steps" : " load steps") << " of " << world::reduced_size(*body.model)
       << " coordinates in " << std::setprecision(3) << result.seconds << " s, "
       << 1e6 * result.seconds / static_cast<double>(result.steps) << " µs a step; ";
-  if (is_nonlinear(*body.model))
-    out << result.iterations << " Newton iterations, " << result.rejected << " steps rejected; ";
+  const bool nonlinear = is_nonlinear(*body.model), details = voice == Voice::verbose;
+  if (nonlinear && details) out << result.iterations << " Newton iterations, ";
+  if (nonlinear && (result.rejected > 0 || details))
+    out << counted(result.rejected, "attempt", "attempts") << " did not converge and went on in halves; ";
   out << frames << " frames in " << output.string() << '\n';
   if (result.energy) out << who(body) << balance_line(*result.energy) << '\n';
   if (result.errors) out << who(body) << error_line(*result.errors) << '\n';
@@ -198,7 +200,7 @@ void run_scene(const RunOptions& options, std::ostream& out, std::ostream& err) 
   const auto played = play(options, scene, cast(scene, options.model), Files::written, {.warning = warn, .state = {}});
   if (options.voice == Voice::quiet) return;
   say_replaced(played.replaced, out);
-  for (const auto& body : played.bodies) say(body, scene, played.frames, out);
+  for (const auto& body : played.bodies) say(body, scene, played.frames, options.voice, out);
 }
 
 void animate(const RunOptions& options, std::ostream& out) {
@@ -262,7 +264,7 @@ Played play(const RunOptions& options, const scene::Scene& scene, std::vector<Ru
   const auto results =
       run_to_end(options, scene, bodies, std::move(from), steps, recorder ? &*recorder : nullptr, listener);
   const auto said_before = warnings.size();
-  const bool told = written && (options.voice == Voice::normal || !options.summary.empty());
+  const bool told = written && (options.voice != Voice::quiet || !options.summary.empty());
   Played played{.bodies = {}, .frames = frames, .replaced = {}};
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     played.bodies.push_back({.body = bodies[i],

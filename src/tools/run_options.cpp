@@ -65,8 +65,11 @@ void declare(CLI::App& app, RunOptions& options) {
   app.add_flag_callback(
       "--linear", [&] { options.forces = Forces::linear; },
       "Small displacements: leave a model's polynomial unread and\nrun its linear part");
-  app.add_flag_callback(
+  auto* quiet = app.add_flag_callback(
       "--quiet", [&] { options.voice = Voice::quiet; }, "Print nothing but warnings and errors");
+  app.add_flag_callback(
+         "--verbose", [&] { options.voice = Voice::verbose; }, "Print what the steps took, too: Newton's iterations")
+      ->excludes(quiet);
 }
 
 void refuse_contradictions(const RunOptions& options) {

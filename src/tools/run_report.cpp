@@ -73,8 +73,9 @@ void refuse(const world::LeftOut& left_out, const std::string& model) {
 std::string balance_line(const world::EnergyBalance& balance) {
   std::ostringstream text;
   text.precision(3);
-  text << "energy balance of E - E0 - W + Q: at most " << balance.gained << " J gained and " << balance.lost
-       << " J lost; E0 + W - Q at most " << balance.available << " J";
+  text << "energy balance: at most " << balance.gained << " J came from nowhere and " << balance.lost
+       << " J were lost (energy - energy at the start - work + damping), of " << balance.available
+       << " J that there were";
   return text.str();
 }
 

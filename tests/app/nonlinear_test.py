@@ -25,7 +25,7 @@ class Nonlinear(InAFolder):
     def reduced_tip(self, *words):
         self.reduce(*BEAM, *words, "-polynomial")
         self.inspect("model.h5", "--check")
-        told = self.inspect("model.h5").out
+        told = self.inspect("model.h5", "--verbose").out
         witness = ["force", "energy", "stiffness"] + ["taylor_slope"] * ("-derivatives" in words)
         for figure in ("basis_orthonormality", *(f"witness_{name}" for name in witness)):
             self.assertIn(figure, told)

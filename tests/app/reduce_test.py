@@ -234,6 +234,15 @@ class Voice(InAFolder):
                 self.assertRegex(update, rf"^{stage}(: [a-z ]+)?  +\d+ %  \d+ s(, about \d+ s left)?$")
         self.assertEqual([len(line) for line in lines if line[-1].startswith("certified: ")], [1])
 
+    def test_details_are_for_those_who_ask(self):
+        words = [*CLAMPED, "-derivatives", "2", "-polynomial"]
+        said, told = self.reduce(*words, ranks=1).out, self.reduce(*words, "-verbose", ranks=1).out
+        for detail in ("residual ", "participation factors", "Sturm", "singular values", "Taylor", "quartic", "orthonormal"):
+            self.assertNotIn(detail, said)
+            self.assertIn(detail, told)
+        self.assertIn("take more modes, or add -residual_vectors", said)
+        self.assertIn("contradict each other", self.reduce(*CLAMPED, "-verbose", "-quiet", code=2).err)
+
     def test_quiet(self):
         result = self.reduce(*[word.replace("tet4", "tet10") for word in CLAMPED], "-quiet")
         self.assertEqual((result.out, result.err), ("", ""))
@@ -397,7 +406,7 @@ class ReuseOfABasis(InAFolder):
 
     def test_adds_the_polynomial(self):
         table = self.frequencies("old.frequencies.csv")
-        out, err = self.again(*self.BASIS, "-polynomial")
+        out, err = self.again(*self.BASIS, "-polynomial", "-verbose")
         self.assertEqual(err, "")
         self.assertIn("reusing the basis of 7 columns of old.h5", out)
         self.assertIsNone(re.search(r" (modes|basis)  +\d+\.\d+ s$", out, re.M))

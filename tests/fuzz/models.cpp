@@ -35,7 +35,7 @@ std::string refusal(const std::function<void()>& use) {
 
 void read_as_all_programs(const format::ModelReader& in) {
   std::ostringstream printed;
-  const auto described = refusal([&] { tools::describe(in, printed); });
+  const auto described = refusal([&] { tools::describe(in, Voice::verbose, printed); });
   const auto checked = refusal([&] { tools::check(in, printed); });
   const auto run = refusal(
       [&] { tools::read_body(in, in.first_body(), demanding_scene(), tools::Frames::some, tools::Forces::stored); });

@@ -25,7 +25,9 @@ using testing::ThrowsMessage;
 
 class Inspect : public testing::Test {
  protected:
-  std::string described(const model::Model& model) const { return printed(model, describe); }
+  std::string described(const model::Model& model, Voice voice = Voice::verbose) const {
+    return printed(model, [voice](const auto& in, std::ostream& out) { describe(in, voice, out); });
+  }
   std::string checked(const model::Model& model) const { return printed(model, check); }
 
   template <class Print>
@@ -47,7 +49,7 @@ TEST_F(Inspect, TellsEveryPart) {
                              "ν 0.49",
                              "end/of 50% cells",
                              "0 rigid, 2 flexible",
-                             "certified (inertia): 2 eigenvalues below 10",
+                             "certified: no mode is missing; an independent count (inertia of K − σM, σ = 10",
                              "0.3183099",
                              "0.4774648",
                              "2.0e-12 *",
@@ -67,6 +69,17 @@ TEST_F(Inspect, TellsEveryPart) {
                              "kg^-1/2",
                              "columns/0001 … 0002"})
     EXPECT_THAT(told, HasSubstr(figure));
+}
+
+TEST_F(Inspect, KeepsDetailsForThoseWhoAsk) {
+  auto model = test::nonlinear_sample_model();
+  model.bodies[0].report.figures = {{"static_error_z end/of 50%", .25}, {"witness_force", 1e-15}, {"vertices", 4}};
+  const auto told = described(model, Voice::normal);
+  EXPECT_THAT(told, AllOf(HasSubstr("static answer along z on 'end/of 50%': missing 25 %"),
+                          HasSubstr("forces off from the full model's by")));
+  for (const auto* detail :
+       {"static_error", "witness", "vertices  ", "residual", "participation", "datasets\n", "singular"})
+    EXPECT_THAT(told, Not(HasSubstr(detail)));
 }
 
 TEST_F(Inspect, LeavesAbsentPartsOut) {

@@ -39,8 +39,8 @@ TEST(RunOptions, HelpNamesEveryOption) {
   EXPECT_EQ(std::get<Help>(parse({"--help-scene"})).text, scene::reference());
   EXPECT_THAT(std::get<Help>(parse({"--version"})).text, HasSubstr("ritz-run "));
   const auto help = std::get<Help>(parse({"--help"})).text;
-  for (const auto* option :
-       {"--scene", "--output", "--animate-mode", "--frames", "--every", "--timing", "--single", "--linear", "--quiet"})
+  for (const auto* option : {"--scene", "--output", "--animate-mode", "--frames", "--every", "--timing", "--single",
+                             "--linear", "--quiet", "--verbose"})
     EXPECT_THAT(help, HasSubstr(option));
 }
 
@@ -57,6 +57,7 @@ TEST(RunOptions, BadLines) {
       {{"m.h5", "--scene", "s", "--frames", "1", "--every", "1"}, "exclude each other"},
       {{"m.h5", "--animate-mode", "1", "--every", "1"}, "--every needs a scene"},
       {{"m.h5", "--animate-mode", "1", "--timing", "t.csv"}, "--timing needs a scene"},
+      {{"m.h5", "--scene", "s", "--quiet", "--verbose"}, "--quiet excludes --verbose"},
       {{"m.h5", "--animate-mode", "0"}, "--animate-mode: '0' is not a whole number from 1 on"},
       {{"m.h5", "--scene", "s", "--frames", "-1"}, "--frames: '-1' is not a whole number from 0 on"},
       {{"m.h5", "--scene", "s", "--every", "0"}, "--every: '0' is not"},

@@ -183,7 +183,7 @@ TEST(RunRestart, RepeatsStepsThatWereHalvedAndAStartOfItsOwn) {
   for (const auto* integrator : {"avf", "newmark", "linearly-implicit", "bdf2", "implicit-euler"}) {
     const test::RunFolder folder;
     EXPECT_THAT(test::run(folder.prepare(time_of(.5, 4, integrator) + hard, model)),
-                Not(HasSubstr(" 0 steps rejected")))
+                HasSubstr("did not converge and went on in halves"))
         << integrator;
     expect_to_go_on(hard, model, .5, 4, integrator, world::Precision::float64, integrator);
   }
