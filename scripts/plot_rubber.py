@@ -111,9 +111,9 @@ def paint(axes, frame, points, faces, colour):
     axes.add_collection(PolyCollection(corners[front][:, :, :2], facecolors=shaded, edgecolors=edges, linewidths=0.3))
 
 
-def eye():
-    """Rows: right, up, towards the eye; x runs to the right, z upwards, seen from in front and above."""
-    turn, tilt = np.radians(25), np.radians(22)
+def eye(turn=25, tilt=22):
+    """Rows: right, up, towards the eye; x runs to the right, z upwards, seen from in front and above; degrees."""
+    turn, tilt = np.radians(turn), np.radians(tilt)
     right = np.array([np.cos(turn), np.sin(turn), 0])
     away = np.array([np.sin(turn) * np.cos(tilt), -np.cos(turn) * np.cos(tilt), np.sin(tilt)])
     return np.array([right, np.cross(away, right), away])
