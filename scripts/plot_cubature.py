@@ -86,7 +86,8 @@ def draw_shapes(axes, frame, motions):
     lengths = [1e3 * np.linalg.norm(motion.u[-1], axis=1) for motion in motions.values()]
     shade, faces = plt.Normalize(0, np.max(lengths)), surface(motions["full"].cells)
     for one, (name, motion), length in zip(axes, motions.items(), lengths):
-        plot_modes.paint(one, frame, motion.points + motion.u[-1], faces, SCALE(shade(length[faces].mean(axis=1)))[:, :3])
+        plot_modes.paint(one, frame, motion.points + motion.u[-1], faces,
+                         SCALE(shade(length[faces].mean(axis=1)))[:, :3])
         one.set_title(name)
     return matplotlib.cm.ScalarMappable(shade, SCALE)
 

@@ -1,6 +1,6 @@
 """All rows, in the order of the report."""
-from . import (compression, contrast, degenerate, huge_loads, long_runs, near_incompressible, repeated, restarts, single,
-               slender, slivers, static_loads, stiff_step, twist, units)
+from . import (compression, contrast, cubature, degenerate, huge_loads, long_runs, near_incompressible, repeated, restarts,
+               single, slender, slivers, static_loads, stiff_step, twist, units)
 
 GROUPS = {
     "Nearly incompressible": near_incompressible,
@@ -11,6 +11,7 @@ GROUPS = {
     "Twist": twist,
     "Compression": compression,
     "Huge loads": huge_loads,
+    "Cubature": cubature,
     "Long runs": long_runs,
     "Stopped and gone on with": restarts,
     "Static loads": static_loads,
