@@ -5,7 +5,7 @@ import numpy as np
 from bench import material
 from .meshes import end_faces, hexahedra, write_msh
 from .outcome import finite_or_failed
-from .row import Figure, Row, at_most, plain
+from .row import Figure, Row, at_most, plain, says
 
 LAWS = {"neo-hookean": (), "neo-hookean-isochoric": (), "hencky": (), "corotational": (),
         "mooney-rivlin": ("1.5e5,4e4,1e-6",), "yeoh": ("1.9e5,-1e4,2e3,1e-6",), "arruda-boyce": ("3.8e5,3,1e-6",),
@@ -86,6 +86,15 @@ def too_few(bench, length):
     return [Figure(f"{cells[place]} cells: {few:.2%}, {cells[-1]} cells: {many:.2%}", bool(few > .02 and many < few / 2))]
 
 
+def beyond(bench, length):
+    """Twice as far as the poses of the training."""
+    reduce(bench, *BEAM, *of_law("neo-hookean"), "-cubature", "40", "-cubature_amplitude", ".1")
+    near_, far = (bench.move("model.h5", "--scene", bench.write("scene.toml", STATICS + pull(force)), "--quiet")
+                  for force in (BENDING / 10, 2 * BENDING))
+    return [Figure(f"within: {len(near_.warnings)} warnings", not near_.warnings),
+            says("beyond", " ".join(far.warnings), "trained on", "-cubature_amplitude")]
+
+
 ASKED = "converged, or a failure in one sentence; never a frame with NaN"
 ROWS = [Row(f"cubature_{plain(law)}", f"{law}, 20 cells: loads x 1e3, a start far out", ASKED, pushed(law), seconds=2)
         for law in LAWS]
@@ -95,4 +104,5 @@ ROWS += [
         "the full model's tip to 10 %", contrast),
     Row("cubature_few_cells", "T = r cells", "an error above 2 % in the model's table, which falls with more cells",
         too_few),
+    Row("cubature_beyond", "twice the amplitude of the training", "a warning, and none within it", beyond),
 ]
