@@ -102,6 +102,7 @@ def finish(campaign, bench, found, run, key, state):
 def columns(scene, run):
     return {"scene": scene.name, "title": scene.title, "load_factor": scene.load_factor, "analysis": scene.analysis,
             "end": scene.end, "ranks": scene.ranks, "method": run.method, "k": run.knobs.k, "r": run.knobs.r,
+            "T": run.knobs.T,
             "integrator": run.integrator, "precision": run.precision, "step": run.step, "sweep": run.sweep,
             "mesh_compared": scene.other_is if scene.other else ""}
 

@@ -4,7 +4,7 @@ from matplotlib.transforms import Bbox
 from report import compare
 from report.methods import METHODS
 
-PALETTE = ("#8d99ae", "#e0a458", "#d1495b", "#2e86ab", "#2f3e46", "#6a994e", "#9d4edd", "#00a896")
+PALETTE = ("#8d99ae", "#e0a458", "#d1495b", "#2e86ab", "#6a994e", "#9d4edd", "#2f3e46", "#00a896")
 COLOURS = {method.name: PALETTE[i % len(PALETTE)] for i, method in enumerate(METHODS)}
 TITLES = {method.name: method.title for method in METHODS}
 MARKS = {"": "o", "exact": "*", "avf": "o", "newmark": "s", "generalized-alpha": "D", "bdf2": "^",
@@ -14,7 +14,7 @@ REAL = dict(color="0.55", linewidth=1, linestyle=":")
 
 
 def knobs(row):
-    return " ".join(f"{name}{row[name]:g}" for name in "kr" if row[name])
+    return " ".join(f"{name}{row[name]:g}" for name in "krT" if row[name])
 
 
 def step(row):
@@ -24,7 +24,7 @@ def step(row):
 
 
 def size_of(row):
-    return row["method"], row["k"], row["r"]
+    return row["method"], row["k"], row["r"], row["T"]
 
 
 def named(row):
@@ -68,7 +68,7 @@ def frame(axes, rows, shown):
 def line(axes, rows, label, point):
     """A line through runs, from small to large and coarse to fine, with the quartiles of their time. Returns what `point`
     says of each, as labels for `place`."""
-    good = sorted(compare.done(rows), key=lambda row: (row["k"], row["r"], -row["step"]))
+    good = sorted(compare.done(rows), key=lambda row: (row["k"], row["r"], row["T"], -row["step"]))
     if not good:
         return []
     first = good[0]

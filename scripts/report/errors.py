@@ -26,7 +26,7 @@ DEFINITIONS = {
         "Frequency error: |f − f_ref| / f_ref of the probe's strongest tone after the release, under a Hann window.",
     "error_force":
         "Reduced-force error: the largest ‖f̃(z) − Uᵀf(Uz)‖ relative to ‖Uᵀf(Uz)‖ over the poses that ritz-reduce "
-        "tries.",
+        "tries; of a cubature in the energy norm, ‖Λ^(−½)·‖, over poses that it was not trained on.",
     "energy_balance":
         "Energy balance: max |E − E₀ − W + Q| over the largest energy that there was, W being the work of the loads and Q "
         "what damping took. Of nonlinear models, full and reduced; these look at it 200 times in a motion.",

@@ -15,9 +15,10 @@ class Knobs:
     """How large the reduced model is."""
     k: int = 0  # modes
     r: int = 0  # columns of the basis; 0: all
+    T: int = 0  # cells of the cubature; 0: there is none
 
     def __str__(self):
-        return ", ".join(f"{name} {value}" for name, value in (("k", self.k), ("r", self.r)) if value)
+        return ", ".join(f"{name} {value}" for name, value in (("k", self.k), ("r", self.r), ("T", self.T)) if value)
 
 
 @dataclass(frozen=True)
@@ -25,25 +26,34 @@ class Method:
     name: str
     title: str
     program: str  # reduced or full
-    options: tuple = ()  # of ritz-reduce; {k} and {r} are filled in
+    options: tuple = ()  # of ritz-reduce; {k}, {r} and {T} are filled in
     basis: tuple = ()  # Knobs that are swept at the scene's middle step
     step_basis: Knobs = Knobs()  # the size at which steps and integrators are swept
     integrators: tuple = ()  # the first is the basis sweep's
     single: tuple = ()  # of these integrators also in single precision
     learns: bool = False  # from a motion of the full model under the scene's training loads
+    laws: tuple = ("polynomial", "other")  # of scenes that it is for
 
+
+CUBATURE = ("-modes", "{k}", "-derivatives", "{k}", "-basis", "{r}", "-cubature", "{T}")
+CUBATURES = tuple(Knobs(8, 20, 20 * n) for n in (1, 2, 4, 8))
 
 METHODS = (
     Method("linear", "linear modes", "reduced", ("-modes", "{k}"),
            tuple(Knobs(k) for k in (2, 4, 8, 16, 32)), Knobs(8), LINEAR_INTEGRATORS),
     Method("linear_polynomial", "linear modes, nonlinear forces", "reduced", ("-modes", "{k}", "-polynomial"),
-           tuple(Knobs(k) for k in (2, 4, 8, 16, 32)), Knobs(8), ("avf",)),
+           tuple(Knobs(k) for k in (2, 4, 8, 16, 32)), Knobs(8), ("avf",), laws=("polynomial",)),
     Method("derivatives", "modes + derivatives", "reduced",
            ("-modes", "{k}", "-derivatives", "{k}", "-basis", "{r}", "-polynomial"),
            tuple(Knobs(*kr) for kr in ((2, 5), (4, 8), (4, 14), (8, 12), (8, 20), (8, 30), (8, 44), (16, 60))),
-           Knobs(8, 20), NONLINEAR_INTEGRATORS, ("avf", "newmark", "implicit-euler")),
+           Knobs(8, 20), NONLINEAR_INTEGRATORS, ("avf", "newmark", "implicit-euler"), laws=("polynomial",)),
     Method("pod", "POD of the full run", "reduced", ("-modes", "0", "-basis", "{r}", "-polynomial"),
-           tuple(Knobs(0, r) for r in (5, 10, 20, 40)), Knobs(0, 20), ("avf",), learns=True),
+           tuple(Knobs(0, r) for r in (5, 10, 20, 40)), Knobs(0, 20), ("avf",), learns=True,
+           laws=("polynomial",)),
+    Method("cubature", "cubature", "reduced", CUBATURE, CUBATURES, Knobs(8, 20, 80), ("avf", "newmark", "implicit-euler"),
+           laws=("other",)),
+    Method("cubature_plain", "cubature without variate", "reduced", (*CUBATURE, "-cubature_plain"), CUBATURES,
+           Knobs(8, 20, 80), ("avf",), laws=("other",)),
     Method("full", "the full model", "full", (), (Knobs(),), integrators=FULL_INTEGRATORS),
 )
 BY_NAME = {method.name: method for method in METHODS}
@@ -109,7 +119,7 @@ FORMS = {
 def plan(scene, form):
     """The runs of a scene that it and the form want, each once."""
     runs = {}
-    for method in METHODS:
+    for method in (method for method in METHODS if scene.laws in method.laws):
         for run in basis_sweep(scene, method) + step_sweep(scene, method):
             if scene.limits.admits(run) and form.limits.admits(run):
                 runs.setdefault(dataclasses.replace(run, sweep=""), run)

@@ -97,7 +97,7 @@ def cost_tables(rows):
 def omissions(rows):
     lines = [(row["scene"], diagram.TITLES[row["method"]], diagram.knobs(row), row["integrator"], row["precision"],
               number(row["step"]), row["reason"]) for row in compare.failed(rows)]
-    lines += [(scene, method.title, "", "", "", "", "not planned: its row of scenes.py leaves it out, for time")
+    lines += [(scene, method.title, "", "", "", "", "not planned: it is for other laws, or the scene's row of scenes.py leaves it out, for time")
               for scene in compare.scenes(rows) for method in METHODS
               if not any((row["scene"], row["method"]) == (scene, method.name) for row in rows)]
     if not lines:

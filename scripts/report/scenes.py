@@ -75,6 +75,11 @@ class Scene:
         return f'{head}{acting}[[probe]]\nname = "probe"\n{self.probe}\n'
 
     @property
+    def laws(self):
+        """Whether the forces of the materials are polynomials."""
+        return "other" if "-material_law" in self.options else "polynomial"
+
+    @property
     def middle(self):
         """The step of the basis sweep."""
         return self.steps[(len(self.steps) - 1) // 2]
@@ -165,6 +170,20 @@ def block(cells, finer, **changes):
     return on_another_mesh(replace(scene, **changes), meshes.Block(finer))
 
 
+def rubber(cells, finer, analysis, **changes):
+    """A law that is no polynomial. Linear cells, which are stiffer than the rubber, but all runs have the same."""
+    along = ((0.0, 0.0), (1.0, 1.0)) if analysis == "static" else ((0.0, 0.0), (0.2, 1.0), (0.3, 1.0), (0.31, 0.0))
+    scene = Scene(
+        "rubber" if analysis == "time" else "rubber_statics",
+        "A beam of neo-Hookean rubber, 800 x 200 x 200 mm, bent" + (" and released" if analysis == "time" else ": statics"),
+        f"box:0.8,0.2,0.2/{cells}/tet4", ("-material_law", "neo-hookean", *RUBBER), "xmin",
+        (Load('set = "xmax"', (0.0, 240.0, 480.0), along),), (), 'set = "xmax"', frame=0.02, end=1.0,
+        steps=halved(0.02, 2), released=0.31, damping=0.5, step_cost=0.15)
+    if analysis == "static":
+        scene = replace(scene, analysis=analysis, frame=0.2, end=1.0, steps=(0.2, 0.1), damping=0.0, released=0.0)
+    return on_another_mesh(replace(scene, **changes), f"box:0.8,0.2,0.2/{finer}/tet4")
+
+
 def large(analysis):
     """More than 100,000 degrees of freedom."""
     beam = Scene(
@@ -185,6 +204,8 @@ def large(analysis):
 
 FORK_FACTORS = (1, 10, 100)
 FULL = (cantilever("16,2,2", "24,3,3"), twist((16, 2, 2), (24, 3, 3)), *map(fork, FORK_FACTORS), block(8, 16),
-        large("static"), large("time"))
+        rubber("24,6,6", "32,8,8", "static"), rubber("24,6,6", "32,8,8", "time"), large("static"), large("time"))
 QUICK = (cantilever("8,1,1", "12,2,2", end=1.3, steps=halved(0.02, 2), step_sizes=(), step_cost=0.01),
-         block(4, 8, end=0.2, steps=halved(0.004, 2), step_cost=0.01))
+         block(4, 8, end=0.2, steps=halved(0.004, 2), step_cost=0.01),
+         rubber("12,3,3", "16,4,4", "static", step_cost=0.1),
+         rubber("12,3,3", "16,4,4", "time", end=0.6, limits=Limits(sweeps=("basis",)), step_cost=0.04))

@@ -5,7 +5,7 @@ import os
 
 COLUMNS = (
     "key", "scene", "title", "load_factor", "analysis", "end", "mesh_checksum", "problem_checksum", "vertices", "cells",
-    "dofs", "program", "versions", "machine", "form", "date", "ranks", "method", "flags", "k", "r", "columns", "integrator", "precision", "step",
+    "dofs", "program", "versions", "machine", "form", "date", "ranks", "method", "flags", "k", "r", "T", "columns", "integrator", "precision", "step",
     "sweep", "status", "reason", "repetitions", "microseconds", "microseconds_q1", "microseconds_q3",
     "microseconds_p99", "seconds", "seconds_q1", "seconds_q3", "iterations", "rejected", "run_memory",
     "precompute_seconds", "precompute_stages", "precompute_memory", "file_bytes", "error_integrated", "error_max",

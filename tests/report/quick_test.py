@@ -46,6 +46,11 @@ class Quick(unittest.TestCase):
         locked = here("linear_polynomial", 8, 0)
         self.assertGreater(locked["error_integrated"], 10 * derivatives["error_integrated"])
         self.assertGreater(locked["error_basis"], 10 * locked["error_time"])
+        by_cells = lambda method, cells: next(  # noqa: E731
+            one["error_integrated"] for one in good if one["scene"] == "rubber_statics" and
+            (one["method"], one["T"]) == (method, cells))
+        self.assertLess(by_cells("cubature", 20), by_cells("cubature_plain", 20))
+        self.assertLess(2 * by_cells("cubature_plain", 160), by_cells("cubature_plain", 20))
 
 
 if __name__ == "__main__":
