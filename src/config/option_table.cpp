@@ -72,7 +72,7 @@ constexpr auto basis_options = std::to_array<OptionEntry>({
      "other laws what that polynomial lacks by cubature, as -cubature_tolerance does"},
     {"cubature", "T", "1 ...", "by -cubature_tolerance",
      "reduce forces of large displacements of any law by cubature over so many cells, whose weights are trained"},
-    {"cubature_tolerance", "E", "1e-8 ... 0.5", "1e-3",
+    {"cubature_tolerance", "E", "1e-8 ... 0.5", "0.001",
      "in place of -cubature: as many cells as bring the relative error of forces, in the energy norm and at poses that "
      "were not trained on, below E"},
     {"cubature_plain", "", "", "off",

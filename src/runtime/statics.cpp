@@ -88,6 +88,7 @@ bool loses_stability(const Model<Scalar>& model, const Vector<Scalar>& z, const 
   solve_in_place(factors, ahead);
   trial = z + std::min(Scalar(2), Scalar(jump) * z.norm() / ahead.norm()) * ahead;
   evaluate<Scalar>(model.force, trial, at);
+  if (!std::isfinite(at.energy)) return false;  // a law ends there, not the stability
   factor(at.tangent, factors);
   return !factors.definite;
 }

@@ -120,9 +120,8 @@ std::string warning(const world::EnergyGain& gain, const std::string& integrator
   std::ostringstream text;
   text.precision(3);
   text << "from t = " << gain.since << " s on the motion gained energy without work, up to " << 100 * gain.largest
-       << " %: " << integrator
-       << " does not hold the energy of nonlinear motions at this step; say integrator = \"avf\" or "
-          "\"implicit-euler\", or take shorter steps";
+       << " %: " << integrator << " does not hold the energy of nonlinear motions at this step; "
+       << (integrator == "avf" ? "" : "say integrator = \"avf\" or \"implicit-euler\", or ") << "take shorter steps";
   return text.str();
 }
 

@@ -167,6 +167,7 @@ class Moving {
     instance_ = make_instance<Scalar>(model, integrator, Scalar(time_.step), start.z.template cast<Scalar>().eval(),
                                       start.velocity.template cast<Scalar>().eval(), end_);
     if (from) go_on(*from, instance_);
+    refuse_undefined_start();
     result_.integrator = integrator.name;
     result_.steps = scene::step_count(time_) - done_;
     if (!runtime::is_oscillators(*model)) watch_.emplace(instance_, from);
@@ -212,6 +213,14 @@ class Moving {
 
  private:
   double time() const { return static_cast<double>(done_) * time_.step; }
+
+  void refuse_undefined_start() const {
+    auto room = runtime::make_evaluation(instance_.model->force);
+    if (!runtime::admits<Scalar>(instance_.model->force, instance_.state.z(), room))
+      throw InputError(
+          "the motion would start where a material's law is not defined, with a cell turned inside out: start with a "
+          "smaller deformation");
+  }
 
   void tell() {
     const auto& state = instance_.state;

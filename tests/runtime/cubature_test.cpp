@@ -198,6 +198,15 @@ TEST(Cubature, StaticsFindTheBalance) {
   EXPECT_LE((evaluated(force_of(sample), z).force - load).norm(), 1e-9 * load.norm());
 }
 
+TEST(Cubature, StaticsBeforeAnInversionAreNoLimitPoint) {
+  const auto model = model_of(squeezed());
+  auto workspace = make_static_workspace<double>(model, {.halvings = 3});
+  VectorXd z = VectorXd::Zero(1);
+  const auto outcome = solve_static<double>(model, {VectorXd::Zero(1), VectorXd::Constant(1, 1e6)}, z, workspace);
+  EXPECT_EQ(outcome.failure, NoRest::not_converged);
+  EXPECT_LT(z[0], 1);
+}
+
 TEST(Cubature, OfOtherShapesIsRefused) {
   const auto good = test::sample_cubature(4, 6, test::all_isotropic_laws(), Integrand::beyond_polynomial);
   EXPECT_NO_THROW(force_of(good));
