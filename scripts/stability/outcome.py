@@ -20,13 +20,14 @@ def refused(bench, ran, before, code=None):
     return Figure(text + "".join(f", but {w}" for w in wrong), not wrong)
 
 
-def finite_or_failed(bench, what, program, words, motion, dataset):
-    """A run that may fail by its numerics, not by its input; `motion` is the file whose dataset must be finite."""
+def finite_or_failed(bench, what, program, words, motion, dataset, codes=(1,)):
+    """A run that may fail by its numerics, not by its input unless `codes` has 2; `motion` is the file whose dataset
+    must be finite."""
     before = bench.files() - {motion}
     (bench.folder / motion).unlink(missing_ok=True)
     ran = bench.run(program, *words, code=None)
     if ran.code == 0:
         seen = finite(what, bench.read(motion, dataset))
         return Figure("converged, " + seen.text, seen.holds)
-    seen = refused(bench, ran, before, code=1)
+    seen = refused(bench, ran, before, code=ran.code if ran.code in codes else codes[0])
     return Figure(f"{what}: {seen.text}", seen.holds)

@@ -1,9 +1,14 @@
 #include "collective.hpp"
 
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <cstring>
 #include <exception>
+#include <fstream>
+#include <new>
 #include <stdexcept>
+#include <string>
 
 #include "hdf5.hpp"
 #include "ritz/files/part_file.hpp"
@@ -32,9 +37,26 @@ Vote vote(const Access& access, bool yes) {
   return yes ? Vote::all_yes : Vote::some_no;
 }
 
+namespace {
+
+/// Whether a limit on the address space of this process was all but reached, which neither HDF5 nor MPI's files tell
+/// of.
+bool memory_ran_out() {
+  rlimit space{};
+  if (getrlimit(RLIMIT_AS, &space) != 0 || space.rlim_cur == RLIM_INFINITY) return false;
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;)
+    if (rlim_t kilobytes = 0; word == "VmPeak:" && status >> kilobytes)
+      return kilobytes * 1024 > space.rlim_cur - space.rlim_cur / 16;
+  return false;
+}
+
+}  // namespace
+
 void agree(const ModelWriter& out, bool ok, const std::string& path) {
   if (vote(out.access(), ok) == Vote::all_yes) return;
   if (const int error = hdf5_error(); !ok && error != 0) files::fail_to_write(out.path(), error);
+  if (!ok && memory_ran_out()) throw std::bad_alloc();
   throw std::runtime_error("cannot write " + path + " of " + out.path().string() +
                            ": is the disk full? No file was left behind; make room and run again");
 }

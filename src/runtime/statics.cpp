@@ -99,9 +99,12 @@ void give_up(const Model<Scalar>& model, const Vector<Scalar>& z, const Vector<S
              StaticWorkspace<Scalar>& workspace, StaticOutcome& outcome) {
   outcome.failure = increment.allFinite() ? NoRest::not_converged : NoRest::not_finite;
   if (!increment.allFinite() || !loses_stability(model, z, increment, workspace)) return;
-  outcome.failure = NoRest::limit_point;
   evaluate<Scalar>(model.force, z, workspace.at);
-  outcome.softest = smallest_eigenvalue(workspace.at.tangent);
+  const double softest = smallest_eigenvalue(workspace.at.tangent);
+  // A law may end, or a cubature be far beyond its training, without warning; a limit point announces itself.
+  if (!is_cubic(model.force) && softest > workspace.softest_at_rest / 2) return;
+  outcome.failure = NoRest::limit_point;
+  outcome.softest = softest;
 }
 
 /// z_i = f_i / λ_i.

@@ -15,7 +15,7 @@ BIN = Path(os.environ["RITZ_BIN"])
 BOX = ["-mesh", "box:1,.4,.3/4,2,2/tet4", "-material_young", "1e6", "-material_poisson", ".3",
        "-material_density", "1000", "-modes", "5"]
 # What mpirun says of a non-zero exit, and MPI's files of a write that fails.
-BOILERPLATE = re.compile(r"^-{60,}\n.*?^-{60,}\n|^mca_[^\n]*\n", re.M | re.S)
+BOILERPLATE = re.compile(r"^-{60,}\n.*?^-{60,}\n|^(?:\[[^]\n]*\] )?mca_[^\n]*\n", re.M | re.S)
 
 
 def sentences(err):

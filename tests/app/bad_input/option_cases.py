@@ -138,8 +138,8 @@ MATERIALS = [
     bad("no mass", "-material_density 0", "density", "positive"),
     bad("a mass beyond numbers", "-material_density 1e400", "-material_density 1e400"),
     bad("a law that is not there", "-material_law neohooke", "neohooke", "neo-hookean"),
-    bad("a polynomial of a law that has none", "-material_law neo-hookean -derivatives 2 -polynomial", "-polynomial",
-        "'body'", "neo-hookean"),
+    bad("a cubature of a law that has a polynomial", "-derivatives 2 -cubature 4", "-cubature", "-polynomial"),
+    bad("a cubature of more cells than there are", "-material_law neo-hookean -derivatives 2 -cubature 5000", "5000", "12"),
     bad("a region's law that is not there", "-material_body_law neohooke", "neohooke", "neo-hookean"),
 ]
 
