@@ -8,6 +8,7 @@
 #include "ritz/base/shown.hpp"
 #include "ritz/fem/element.hpp"
 #include "ritz/parallel/comm.hpp"
+#include "ritz/stages/cubature_candidates.hpp"
 #include "ritz/stages/reduce_polynomial.hpp"
 
 namespace ritz::app {
@@ -24,8 +25,6 @@ constexpr double newton_steps = 4 * 5;       ///< of a static path of the full m
 constexpr double searched_modes = 8;         ///< about, in the search for a basis of some accuracy
 constexpr double searched_columns = 20;      ///< the same
 constexpr double strains = 6;                ///< components
-constexpr double held_out_poses = 40;        ///< on which a cubature is tested
-constexpr double most_candidates = 20000;    ///< cells that may enter it
 constexpr double cubature_iterations = 40;   ///< about, of its least squares
 constexpr double law_flops = 200;            ///< of the response at a point
 
@@ -141,15 +140,13 @@ Estimate polynomial(const Workload& work, const ModesEstimate& modes, const Poin
 
 /// Forces of all cells at all poses, then the candidates' columns, which every iteration reads once.
 Estimate cubature(const Workload& work, const ModesEstimate& modes, const Points& points, const Vectors& v) {
-  const double r = v.columns, poses = work.config.cubature.poses + held_out_poses;
-  const double cells = static_cast<double>(work.problem.mesh.cells_total);
-  const double candidates = std::min(cells, most_candidates) / work.ranks;
-  const double numbers = candidates * work.config.cubature.poses * r;
+  const double r = v.columns, poses = work.config.cubature.poses + 2 * stages::held_out_poses;
+  const auto candidates = std::min(work.problem.mesh.cells_total, stages::most_candidates);
+  const double numbers = static_cast<double>(candidates) / work.ranks * work.config.cubature.poses * r;
   const double projections = points.owned * poses * (36 * r + law_flops / loop_efficiency);
   const double seconds = (projections + cubature_iterations * 2 * numbers / loop_efficiency) / work.rate;
-  return {
-      "cubature", seconds, work.held + modes.inverse_memory + 8 * work.rows * (v.modes + 4 * r) + 4 * numbers,
-      number_of(poses, "pose, ", "poses, ") + number_of(std::min(cells, most_candidates), "candidate", "candidates")};
+  return {"cubature", seconds, work.held + modes.inverse_memory + 8 * work.rows * (v.modes + 4 * r) + 4 * numbers,
+          number_of(poses, "pose, ", "poses, ") + counted(candidates, "candidate", "candidates")};
 }
 
 Estimate witness(const Workload& work, const ModesEstimate& modes, const Points& points, const Vectors& v) {

@@ -145,6 +145,12 @@ parallel::RowMatrix by_vertex(mesh::VertexRef u) {
   return Eigen::Map<const parallel::RowMatrix>(u.data(), u.rows() / mesh::components, mesh::components);
 }
 
+std::vector<model::RegionMaterial> named_materials(const mesh::Mesh& mesh, const fem::Materials& materials) {
+  std::vector<model::RegionMaterial> named;
+  for (std::size_t r = 0; r < materials.size(); ++r) named.push_back({mesh.regions[r].name, materials[r]});
+  return named;
+}
+
 FileGeometry file_geometry(const mesh::Mesh& mesh, const fem::Materials& materials, config::StoredRows rows) {
   FileGeometry order;
   const auto keep = stored(mesh, rows);
@@ -161,7 +167,7 @@ FileGeometry file_geometry(const mesh::Mesh& mesh, const fem::Materials& materia
   geometry.vertex_ids = order.to_file(mesh.comm, std::span<const int64_t>(mesh.ids).first(keep.size()));
   add_cells(mesh, drawn_cells(mesh, positions, rows), order);
   geometry.sets = vertex_sets(mesh, positions);
-  for (std::size_t r = 0; r < materials.size(); ++r) geometry.materials.push_back({mesh.regions[r].name, materials[r]});
+  geometry.materials = named_materials(mesh, materials);
   return order;
 }
 

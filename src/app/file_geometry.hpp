@@ -25,6 +25,9 @@ struct FileGeometry {
 /// A vector over owned vertices as a matrix with one row x, y, z for each vertex.
 parallel::RowMatrix by_vertex(mesh::VertexRef u);
 
+/// The materials of all regions with the names of these.
+std::vector<model::RegionMaterial> named_materials(const mesh::Mesh& mesh, const fem::Materials& materials);
+
 /// *Collective*. All vertices and solid cells, or only the vertices and faces of the surface.
 FileGeometry file_geometry(const mesh::Mesh& mesh, const fem::Materials& materials, config::StoredRows rows);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "ritz/app/file_geometry.hpp"
 #include "ritz/app/full_start.hpp"
 #include "ritz/app/scene_loads.hpp"
 #include "ritz/app/snapshots.hpp"
@@ -77,30 +78,32 @@ ReducedBasis finished(stages::BasisResult basis, std::optional<Accuracy> accurac
   return finished;
 }
 
-/// The reduced model of a basis whose laws are no polynomials.
-runtime::Model<double> by_cubature(const config::Config& config, const stages::Problem& problem,
-                                   const stages::BasisResult& basis) {
-  const auto& [mesh, dofs, materials, matrices] = problem;
-  const auto u = mesh::to_vertices(mesh, dofs, basis.U);
-  const auto polynomial = stages::reduce_polynomial(problem, stages::laws_at_rest(materials), u);
-  const auto cubature = stages::train_cubature(problem, u, basis.reduction.stiffness, polynomial, config.cubature,
-                                               [](const std::string&, double) {});
-  std::vector<model::RegionMaterial> regions;
-  for (std::size_t i = 0; i < materials.size(); ++i) regions.push_back({mesh.regions[i].name, materials[i]});
-  const bool rest = cubature.integrand == model::Integrand::beyond_polynomial;
-  return runtime::make_model<double>(cubature, regions, rest ? &polynomial : nullptr, {});
+TrainedForces train(const config::Config& config, const stages::Problem& problem, const stages::BasisResult& basis) {
+  const auto u = mesh::to_vertices(problem.mesh, problem.dofs, basis.U);
+  auto polynomial = stages::reduce_polynomial(problem, stages::laws_at_rest(problem.materials), u);
+  auto cubature = stages::train_cubature(problem, u, basis.reduction.stiffness, polynomial, config.cubature,
+                                         [](const std::string&, double) {});
+  return {std::move(polynomial), std::move(cubature)};
 }
 
 ReducedBasis accurate(const config::Config& config, const stages::Problem& problem, const stages::ModesResult& modes,
                       const stages::StaticPath& path, const stages::ModesProgress& progress) {
   const double target = config.accuracy->target;
-  const auto laws = stages::polynomial_laws(problem.materials);
+  if (const auto laws = stages::polynomial_laws(problem.materials)) {
+    auto [basis, chosen] = stages::accurate_basis(problem, *laws, modes, path, target, progress);
+    return finished(std::move(basis), Accuracy{target, chosen});
+  }
+  const auto materials = named_materials(problem.mesh, problem.materials);
+  const bool plain = config.cubature.integrand == model::Integrand::energy;
+  std::optional<TrainedForces> last;
   const stages::ReducedModel reduced = [&](const stages::BasisResult& basis) {
-    return by_cubature(config, problem, basis);
+    last = train(config, problem, basis);
+    return runtime::make_model<double>(last->cubature, materials, plain ? nullptr : &last->polynomial, {});
   };
-  auto [basis, chosen] = laws ? stages::accurate_basis(problem, *laws, modes, path, target, progress)
-                              : stages::accurate_basis(problem, reduced, modes, path, target, progress);
-  return finished(std::move(basis), Accuracy{target, chosen});
+  auto [basis, chosen] = stages::accurate_basis(problem, reduced, modes, path, target, progress);
+  auto result = finished(std::move(basis), Accuracy{target, chosen});
+  result.trained = std::move(last);
+  return result;
 }
 
 ReducedBasis make_basis(const config::Config& config, const stages::Problem& problem, const stages::ModesResult& modes,
@@ -144,12 +147,14 @@ ReducedForces reduce_forces(const config::Config& config, const stages::Problem&
     throw InputError("a nonlinear model of " + std::to_string(u.cols()) + " coordinates is too large (at most " +
                      std::to_string(stages::most_coordinates) + "); give -basis R, such as -basis 30" +
                      (config.residual_vectors ? ", or fewer -residual_vectors" : ""));
-  const auto laws = stages::laws_at_rest(problem.materials);
-  auto value = progress.stage("polynomial", [&] { return stages::reduce_polynomial(problem, laws, u); });
+  const auto& trained = basis.trained;
+  auto value = trained ? trained->polynomial : progress.stage("polynomial", [&] {
+    return stages::reduce_polynomial(problem, stages::laws_at_rest(problem.materials), u);
+  });
   const auto errors = progress.stage("check", [&] { return stages::polynomial_witness(problem, u, value); });
   ReducedForces forces{ReducedPolynomial{std::move(value), errors}, {}};
   if (fem::force_degree(problem.materials)) return forces;
-  forces.cubature = progress.stage("cubature", [&] {
+  forces.cubature = trained ? trained->cubature : progress.stage("cubature", [&] {
     return stages::train_cubature(problem, u, basis.reduction->stiffness, forces.polynomial->value, config.cubature,
                                   [&](const std::string& what, double fraction) { progress.update(what, fraction); });
   });
@@ -179,8 +184,8 @@ std::string cubature_lines(const ReducedForces& forces) {
       "%s, summed over %td cells: errors of forces at shapes that were not trained on, root mean square %.2g %% of low "
       "modes (largest %.2g %%), %.2g %% of statics (largest %.2g %%)\n",
       forces.polynomial ? "what the materials have beyond it" : "forces of large displacements",
-      std::ssize(forces.cubature->cells), 100 * error.lifts.mean_square_root, 100 * error.lifts.largest,
-      100 * error.statics.mean_square_root, 100 * error.statics.largest);
+      std::ssize(forces.cubature->cells), 100 * error.lifts.root_mean_square, 100 * error.lifts.largest,
+      100 * error.statics.root_mean_square, 100 * error.statics.largest);
 }
 
 }  // namespace
@@ -208,8 +213,7 @@ std::string basis_lines(const ReducedBasis& basis, const ReducedForces& forces, 
     if (details)
       text += formatted(
           "  %d solved in %d iterations, to a residual of %.1e, %d too small to matter; the error of a Taylor series "
-          "with "
-          "them falls with the power %.3f of the amplitude (3 is right)\n",
+          "with them falls with the power %.3f of the amplitude (3 is right)\n",
           derivatives->solved, derivatives->iterations, derivatives->residual, derivatives->pairs - derivatives->solved,
           taylor_slope.value_or(0));
   }

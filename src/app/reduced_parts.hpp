@@ -34,11 +34,18 @@ struct BasisFigures {
   std::optional<Accuracy> accuracy;
 };
 
+/// A cubature and the polynomial beside which it was trained.
+struct TrainedForces {
+  model::Polynomial polynomial;
+  model::Cubature cubature;
+};
+
 /// The basis U, rows of free degrees of freedom: the modes themselves if no other basis was asked for.
 struct ReducedBasis {
   mesh::FreeRows U;
   std::optional<model::Reduction> reduction;
   BasisFigures figures;
+  std::optional<TrainedForces> trained = {};  ///< over U, where they were trained to find its size
 };
 
 struct ReducedPolynomial {

@@ -14,8 +14,8 @@ model::RowMatrix figures_of(const std::vector<model::CubatureError>& errors) {
   model::RowMatrix rows(std::ssize(errors), figures);
   for (std::size_t i = 0; i < errors.size(); ++i) {
     const auto& [cells, training, lifts, statics] = errors[i];
-    rows.row(static_cast<Index>(i)) << training.mean_square_root, training.largest, lifts.mean_square_root,
-        lifts.largest, statics.mean_square_root, statics.largest;
+    rows.row(static_cast<Index>(i)) << training.root_mean_square, training.largest, lifts.root_mean_square,
+        lifts.largest, statics.root_mean_square, statics.largest;
   }
   return rows;
 }

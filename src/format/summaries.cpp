@@ -69,7 +69,7 @@ Json::Object summary(const model::Polynomial& polynomial) {
 Json::Object summary(const model::Cubature& cubature) {
   Json::Array errors;
   const auto pair = [](const model::PoseErrors& e) {
-    return Json::Object{{"mean_square_root", e.mean_square_root}, {"largest", e.largest}};
+    return Json::Object{{"root_mean_square", e.root_mean_square}, {"largest", e.largest}};
   };
   for (const auto& error : cubature.errors)
     errors.emplace_back(Json::Object{{"cells", error.cells},

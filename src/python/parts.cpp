@@ -36,8 +36,8 @@ Eigen::MatrixXd error_rows(const std::vector<model::CubatureError>& errors) {
   Eigen::MatrixXd rows(std::ssize(errors), 7);
   for (Eigen::Index i = 0; i < rows.rows(); ++i) {
     const auto& [cells, training, lifts, statics] = errors[static_cast<std::size_t>(i)];
-    rows.row(i) << static_cast<double>(cells), training.mean_square_root, training.largest, lifts.mean_square_root,
-        lifts.largest, statics.mean_square_root, statics.largest;
+    rows.row(i) << static_cast<double>(cells), training.root_mean_square, training.largest, lifts.root_mean_square,
+        lifts.largest, statics.root_mean_square, statics.largest;
   }
   return rows;
 }

@@ -3,6 +3,16 @@
 #include <array>
 
 namespace ritz::runtime {
+namespace {
+
+/// The cubature of a body, carried or not; null where it has none.
+template <class Scalar>
+const CubatureForce<Scalar>* cubature_of(const InternalForce<Scalar>& force) {
+  const auto* carried = std::get_if<CarriedForce<Scalar>>(&force);
+  return carried ? std::get_if<CubatureForce<Scalar>>(&carried->body) : std::get_if<CubatureForce<Scalar>>(&force);
+}
+
+}  // namespace
 
 template <class Scalar>
 Evaluation<Scalar> make_evaluation(const LinearForce<Scalar>& force) {
@@ -69,17 +79,15 @@ MeanEvaluation<Scalar> make_mean_evaluation(const InternalForce<Scalar>& force) 
 
 template <class Scalar>
 bool is_cubic(const InternalForce<Scalar>& force) {
-  const auto* carried = std::get_if<CarriedForce<Scalar>>(&force);
-  return carried ? !std::holds_alternative<CubatureForce<Scalar>>(carried->body)
-                 : !std::holds_alternative<CubatureForce<Scalar>>(force);
+  return !cubature_of(force);
 }
 
 template <class Scalar>
 bool admits(const InternalForce<Scalar>& force, const VectorRef<Scalar>& z, Evaluation<Scalar>& room) {
-  if (const auto* cubature = std::get_if<CubatureForce<Scalar>>(&force)) return admits<Scalar>(*cubature, z, room);
-  const auto* carried = std::get_if<CarriedForce<Scalar>>(&force);
-  const auto* cubature = carried ? std::get_if<CubatureForce<Scalar>>(&carried->body) : nullptr;
-  return !cubature || admits<Scalar>(*cubature, z.tail(cubature->size()), room.inner.front());
+  const auto* cubature = cubature_of(force);
+  if (!cubature) return true;
+  const bool carried = std::holds_alternative<CarriedForce<Scalar>>(force);
+  return admits<Scalar>(*cubature, z.tail(cubature->size()), carried ? room.inner.front() : room);
 }
 
 template <class Scalar>

@@ -90,12 +90,13 @@ Outcome attempt(const Model<Scalar>& model, State<Scalar>& state, const StepLoad
       scaled(starts ? *integrator.start : std::get<ImplicitStep<>>(integrator.step), integrator.history, dt);
   const auto outcome = solve_implicit(model, state, load, part, numbers, workspace.options, room);
   if (outcome.status != Status::done) return outcome;
-  if (!is_cubic(model.force)) {  // the method may have evaluated forces elsewhere
+  const bool once = outcome.evaluations == 1 && may_linearise(model, load, numbers);
+  const bool evaluated_at_end = numbers.rule == ForceRule::at_point && numbers.point == 1 && !once;
+  if (!is_cubic(model.force) && !evaluated_at_end) {
     room.point = state.z() + room.delta;
     if (!admits<Scalar>(model.force, room.point, room.at_point))
       return {.status = Status::not_finite, .iterations = outcome.iterations, .evaluations = outcome.evaluations};
   }
-  const bool once = outcome.evaluations == 1 && may_linearise(model, load, numbers);
   if (derivative && once) chain_linearised(model, state, load, part, numbers, room, *derivative);
   else if (derivative) chain_implicit(model, state, load, part, numbers, room, *derivative);
   advance(numbers, room.delta, dt, room.next, state);

@@ -35,17 +35,6 @@ void fill_gradients(const CellBasis& basis, const Cell& cell, const fem::Gradien
     }
 }
 
-/// Subtracts the stress P = F S with S = C : E of the Green-Lagrange strain E.
-void subtract_stvk(const fem::Matrix<6, 6>& C, const Tensor& G, Tensor& stress) {
-  const Tensor strain = (G + G.transpose() + G.transpose() * G) / 2;
-  fem::Vector<6> e;
-  e << strain(0, 0), strain(1, 1), strain(2, 2), 2 * strain(0, 1), 2 * strain(1, 2), 2 * strain(2, 0);
-  const fem::Vector<6> s = C * e;
-  Tensor S;
-  S << s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2];
-  stress -= S + G * S;
-}
-
 /// Quadrature points of cells of one region, and their stresses at all states.
 class PointBatch {
  public:
@@ -201,9 +190,11 @@ void each_cell_force(const CellBasis& basis, model::Integrand integrand, std::sp
       [&] {
         if (integrand == model::Integrand::beyond_polynomial) {
           const auto& material = basis.problem.materials[static_cast<std::size_t>(batch.region())];
-          const fem::Matrix<6, 6> C = material.at_rest().hooke();
-          batch.respond(
-              [&](Index, const Tensor& G, double, fem::Response& response) { subtract_stvk(C, G, response.stress); });
+          const auto rest = material.at_rest();
+          const fem::Lame lame{rest.lambda, rest.mu};
+          batch.respond([&](Index, const Tensor& G, double, fem::Response& response) {
+            response.stress -= fem::stvk_response(lame, G).stress;
+          });
         } else {
           batch.respond([](Index, const Tensor&, double, const fem::Response&) {});
         }

@@ -20,7 +20,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int held_out = 20;            ///< poses of each kind
 constexpr Index first_measured = 8;     ///< cells
 constexpr double growth = 1.25;         ///< from one measurement to the next
 constexpr double no_gradient = 1e-12;   ///< relative to the largest at the start
@@ -30,8 +29,8 @@ constexpr std::uint64_t stream = 4711;  ///< of the first draw of poses
 std::vector<PoseDraw> draws(int poses) {
   return {{PoseKind::lift, (poses + 1) / 2, stream},
           {PoseKind::statics, poses / 2, stream + 1},
-          {PoseKind::lift, held_out, stream + 2},
-          {PoseKind::statics, held_out, stream + 3}};
+          {PoseKind::lift, held_out_poses, stream + 2},
+          {PoseKind::statics, held_out_poses, stream + 3}};
 }
 
 /// Of scaled differences of forces, a column a pose.
@@ -54,11 +53,11 @@ model::CubatureError measured(const CellBasis& basis, model::Integrand integrand
   const MatrixXd differences = held.scaled(sum - held.sums);
   return {static_cast<std::int64_t>(fit.numbers.size()),
           errors_of(fit.residual.reshaped(basis.size(), fit.residual.size() / basis.size())),
-          errors_of(differences.leftCols(held_out)), errors_of(differences.rightCols(held_out))};
+          errors_of(differences.leftCols(held_out_poses)), errors_of(differences.rightCols(held_out_poses))};
 }
 
 double worse_mean(const model::CubatureError& error) {
-  return std::max(error.lifts.mean_square_root, error.statics.mean_square_root);
+  return std::max(error.lifts.root_mean_square, error.statics.root_mean_square);
 }
 
 /// Fills in the cells of the fit, from the ranks that hold them. *Collective*.
@@ -141,7 +140,7 @@ model::Cubature train_cubature(const Problem& problem, mesh::VertexRef u, const 
   progress("poses of the cubature", 0);
   const Poses poses = training_poses({basis, u, stiffness, polynomial, options.amplitude}, draws(options.poses));
   const CubatureTargets all = cubature_targets(poses, stiffness, polynomial, options.integrand);
-  const CubatureTargets training = all.of(0, options.poses), held = all.of(options.poses, 2 * held_out);
+  const CubatureTargets training = all.of(0, options.poses), held = all.of(options.poses, 2 * held_out_poses);
   progress("cells of the cubature", 0);
   const CubatureColumns columns(basis, options.integrand, training, cells);
   model::Cubature cubature;

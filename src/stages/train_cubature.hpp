@@ -7,6 +7,9 @@
 
 namespace ritz::stages {
 
+/// The number of poses of each kind, lifts and statics, on which a cubature is tested and not trained.
+inline constexpr int held_out_poses = 20;
+
 struct CubatureOptions {
   std::optional<int> cells;  ///< T; nothing: as many as the tolerance needs
   double tolerance = 1e-3;   ///< of both root mean square errors of held-out poses

@@ -161,7 +161,7 @@ void describe_cubature(const model::Cubature& c, std::ostream& out) {
   for (const auto& [cells, training, lifts, statics] : c.errors) {
     item(out) << formatted("%7lld", static_cast<long long>(cells));
     for (const auto* e : {&training, &lifts, &statics})
-      out << formatted(" %9.3g %9.3g", 100 * e->mean_square_root, 100 * e->largest);
+      out << formatted(" %9.3g %9.3g", 100 * e->root_mean_square, 100 * e->largest);
     out << '\n';
   }
 }

@@ -36,9 +36,9 @@ std::string error_line(const world::StepErrors& errors);
 /// A warning where one step's estimated error is more than a tenth of the largest displacement; empty if none is.
 std::string too_long(const world::StepErrors& errors, const std::string& integrator);
 
-/// A sentence that names integrators which hold the energy.
-
+/// A sentence that says when a cubature was taken beyond its training, and what helps.
 std::string warning(const world::BeyondTraining& beyond, const scene::Scene& scene);
+/// A sentence that names integrators which hold the energy.
 std::string warning(const world::EnergyGain& gain, const std::string& integrator);
 
 /// What came of a body.

@@ -78,7 +78,7 @@ inline void expect_same(const std::optional<model::Cubature>& a, const std::opti
   EXPECT_EQ(a->largest_energy, b->largest_energy);
   ASSERT_EQ(a->errors.size(), b->errors.size());
   const auto same = [](const model::PoseErrors& one, const model::PoseErrors& other) {
-    EXPECT_EQ(one.mean_square_root, other.mean_square_root);
+    EXPECT_EQ(one.root_mean_square, other.root_mean_square);
     EXPECT_EQ(one.largest, other.largest);
   };
   for (std::size_t i = 0; i < a->errors.size(); ++i) {

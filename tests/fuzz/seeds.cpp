@@ -58,6 +58,7 @@ void put_models(const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder / "model");
   ritz::format::write(folder / "model" / "linear", ritz::test::sample_model());
   ritz::format::write(folder / "model" / "nonlinear", ritz::test::nonlinear_sample_model());
+  ritz::format::write(folder / "model" / "cubature", ritz::test::cubature_sample_model());
   ritz::format::write(folder / "model" / "two bodies", ritz::test::two_body_model());
   put_damaged_heaps(folder / "model");
 }

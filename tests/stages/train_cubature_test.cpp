@@ -128,7 +128,7 @@ void expect_sound(const model::Cubature& c, const Body& b) {
   EXPECT_EQ(c.errors.back().cells, T);
   for (const auto& error : c.errors)
     for (const auto& part : {error.training, error.lifts, error.statics})
-      EXPECT_GE(part.largest, part.mean_square_root);
+      EXPECT_GE(part.largest, part.root_mean_square);
 }
 
 class Cubature : public testing::TestWithParam<const char*> {
@@ -142,7 +142,7 @@ TEST_P(Cubature, IsAsGoodAsItSaysAtPosesThatItHasNotSeen) {
     const auto c = b.train({.cells = {}, .tolerance = 1e-2, .integrand = integrand, .poses = 80});
     expect_sound(c, b);
     const auto& last = c.errors.back();
-    EXPECT_LE(std::max(last.lifts.mean_square_root, last.statics.mean_square_root), 1e-2);
+    EXPECT_LE(std::max(last.lifts.root_mean_square, last.statics.root_mean_square), 1e-2);
     EXPECT_LE(error_of(c, b, poses), 2e-2);
   }
 }
@@ -160,7 +160,8 @@ TEST_P(Cubature, IsTheWholeSumWithAllCells) {
     EXPECT_LE((sum.col(s) - full).norm(), 1e-12 * full.norm());
     EXPECT_LE((poses.exact.forces.col(s) - full).norm(), 1e-12 * full.norm());
     const Tall displaced = b.u * poses.z.col(s);
-    EXPECT_NEAR(poses.exact.energies[s] / stages::internal_forces(b.p.mesh, b.p.materials, displaced).energies[0], 1, 1e-12);
+    EXPECT_NEAR(poses.exact.energies[s] / stages::internal_forces(b.p.mesh, b.p.materials, displaced).energies[0], 1,
+                1e-12);
   }
 }
 
@@ -176,11 +177,11 @@ TEST(CubatureTraining, HasSmallerErrorsWithMoreCells) {
   EXPECT_EQ(errors.back().cells, 60);
   const auto& first = errors.front();
   const auto& last = errors.back();
-  EXPECT_LT(last.training.mean_square_root, .1 * first.training.mean_square_root);
-  EXPECT_LT(last.lifts.mean_square_root, .3 * first.lifts.mean_square_root);
-  EXPECT_LT(last.statics.mean_square_root, .3 * first.statics.mean_square_root);
+  EXPECT_LT(last.training.root_mean_square, .1 * first.training.root_mean_square);
+  EXPECT_LT(last.lifts.root_mean_square, .3 * first.lifts.root_mean_square);
+  EXPECT_LT(last.statics.root_mean_square, .3 * first.statics.root_mean_square);
   for (std::size_t i = 1; i < errors.size(); ++i)
-    EXPECT_LT(errors[i].training.mean_square_root, errors[i - 1].training.mean_square_root);
+    EXPECT_LT(errors[i].training.root_mean_square, errors[i - 1].training.root_mean_square);
 }
 
 TEST(CubatureTraining, IsBetterBeyondThePolynomialThanOfTheWholeEnergy) {
@@ -189,7 +190,7 @@ TEST(CubatureTraining, IsBetterBeyondThePolynomialThanOfTheWholeEnergy) {
              whole = b.train({.cells = 14, .integrand = Integrand::energy, .amplitude = .2});
   const auto poses = other_poses(b, 8);
   EXPECT_LT(error_of(beyond, b, poses), .7 * error_of(whole, b, poses));
-  EXPECT_LT(beyond.errors.back().statics.mean_square_root, .7 * whole.errors.back().statics.mean_square_root);
+  EXPECT_LT(beyond.errors.back().statics.root_mean_square, .7 * whole.errors.back().statics.root_mean_square);
 }
 
 TEST(CubatureTraining, OfStVenantKirchhoffMaterialIsItsPolynomial) {

@@ -147,7 +147,7 @@ enum class Integrand : std::uint8_t { energy, beyond_polynomial };
 /// projected force of all cells and Λ the diagonal of UᵀKU; near rest it is the relative error of a displacement in
 /// the energy norm.
 struct PoseErrors {
-  double mean_square_root = 0;  ///< √ of the mean of squares over the poses
+  double root_mean_square = 0;  ///< √ of the mean of squares over the poses
   double largest = 0;
 };
 

@@ -44,9 +44,9 @@ template <class Scalar = double>
 Model<Scalar> make_model(const model::Reduction& reduction, const Damping& damping);
 
 /// The nonlinear model of a polynomial, with D = α I + β K̃(0) + diag(2 ζ_i ω_i) and ω_i² = K̃(0)_ii, as K̃(0) is
-/// diagonal over a reduced basis. There D is stored as its diagonal: what rounding leaves beside that of K̃(0), less than
-/// 1e-13 of its largest entry, is left out. The ratios ζ are assigned, in order, to the coordinates with a stiffness above
-/// rigid_stiffness. Throws InputError as make_polynomial_force does.
+/// diagonal over a reduced basis. There D is stored as its diagonal: what rounding leaves beside that of K̃(0), less
+/// than 1e-13 of its largest entry, is left out. The ratios ζ are assigned, in order, to the coordinates with a
+/// stiffness above rigid_stiffness. Throws InputError as make_polynomial_force does.
 template <class Scalar = double>
 Model<Scalar> make_model(const model::Polynomial& polynomial, const Damping& damping);
 
